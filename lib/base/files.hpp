@@ -1,0 +1,42 @@
+// Reading whole files and writing them whole or not at all.
+#pragma once
+
+#include <filesystem>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "base/bytes.hpp"
+#include "base/result.hpp"
+
+namespace cgw::base {
+
+// All bytes of a file, a pipe, or standard input for "-". More than `limit` bytes is a failure that
+// says so; reading stops there, so a hostile stream cannot fill the memory.
+Result<std::string> read_file(const std::string& path, std::size_t limit);
+
+// A set of files that appears together: stage() writes beside the target under a temporary name,
+// commit() renames. Whatever was staged and not committed is removed again by the destructor.
+class FileSet {
+  public:
+    FileSet() = default;
+    FileSet(const FileSet&) = delete;
+    FileSet& operator=(const FileSet&) = delete;
+    ~FileSet();
+
+    // A file whose content is the same already stays untouched, with its time stamp.
+    Result<void> stage(const std::filesystem::path& target, std::span<const std::uint8_t> content);
+    Result<void> commit();
+
+  private:
+    struct Staged {
+        std::filesystem::path temporary;
+        std::filesystem::path target;
+    };
+    std::vector<Staged> staged_;
+};
+
+// One file, whole or not at all.
+Result<void> write_file(const std::filesystem::path& target, std::span<const std::uint8_t> content);
+
+}  // namespace cgw::base

@@ -1,0 +1,78 @@
+// Every finding cgw can make, one row each. A code is never reused; a name never changes.
+// E00 file and TOML · E01 keys, parameters, values · E02 what makes the plant fail.
+#pragma once
+
+#include <span>
+#include <string_view>
+
+namespace cgw::diagnostic {
+
+enum class Level { error, warning, note };
+
+std::string_view to_text(Level level);  // "error", "warning", "note"
+
+struct Rule {
+    std::string_view code;       // E0203
+    std::string_view name;       // node-id-duplicate
+    Level level;
+    std::string_view summary;    // what the rule demands, one line
+    std::string_view reference;  // manual section or ruling: "GWM 7.3, D33"
+};
+
+namespace rules {
+
+#define CGW_RULE(identifier) extern const Rule identifier
+
+// E00: the file
+CGW_RULE(file_unreadable);
+CGW_RULE(file_too_large);
+CGW_RULE(file_not_utf8);
+CGW_RULE(toml_syntax);
+CGW_RULE(toml_number_range);
+CGW_RULE(toml_nesting);
+CGW_RULE(format_missing);
+CGW_RULE(format_unsupported);
+CGW_RULE(catalogue_unreadable);
+
+// E01: keys, parameters, values
+CGW_RULE(key_unknown);
+CGW_RULE(key_type);
+CGW_RULE(key_missing);
+CGW_RULE(key_value);
+CGW_RULE(parameter_unknown);
+CGW_RULE(parameter_name_mismatch);
+CGW_RULE(parameter_not_settable);
+CGW_RULE(parameter_duplicate);
+CGW_RULE(parameter_missing);
+CGW_RULE(value_type);
+CGW_RULE(value_range);
+CGW_RULE(list_too_long);
+CGW_RULE(declaration_invalid);
+CGW_RULE(declaration_contradiction);
+CGW_RULE(network_node_duplicate);
+
+// E02: what makes the plant fail
+CGW_RULE(hzm_node_mismatch);
+CGW_RULE(hzm_bit_rate_mismatch);
+CGW_RULE(node_id_duplicate);
+CGW_RULE(node_id_listed);
+CGW_RULE(cob_id_reserved);
+CGW_RULE(cob_id_duplicate);
+CGW_RULE(cob_id_foreign);
+CGW_RULE(heartbeat_partner_missing);
+CGW_RULE(time_too_long);
+CGW_RULE(switch_bit_range);
+CGW_RULE(sensor_channel_range);
+CGW_RULE(engine_stop_over_canopen);
+CGW_RULE(tpdo_parameter_unknown);
+CGW_RULE(tpdo_parameter_bit);
+CGW_RULE(communication_off);
+
+#undef CGW_RULE
+
+}  // namespace rules
+
+// All of the above, sorted by code.
+std::span<const Rule* const> all_rules();
+
+}  // namespace cgw::diagnostic

@@ -1,0 +1,60 @@
+// The vocabulary of CiA 301: data types, object codes, access, SDO abort codes.
+#pragma once
+
+#include <cstdint>
+
+namespace cgw::object {
+
+// CiA 301 table 44; the numbers are the ones an EDS prints as DataType.
+enum class DataType : std::uint8_t {
+    boolean = 0x01,
+    integer8 = 0x02,
+    integer16 = 0x03,
+    integer32 = 0x04,
+    unsigned8 = 0x05,
+    unsigned16 = 0x06,
+    unsigned32 = 0x07,
+};
+
+// Bytes on the wire; 0 for a type this core does not carry.
+constexpr std::uint8_t size_of(DataType type) {
+    switch (type) {
+        case DataType::boolean:
+        case DataType::integer8:
+        case DataType::unsigned8:
+            return 1;
+        case DataType::integer16:
+        case DataType::unsigned16:
+            return 2;
+        case DataType::integer32:
+        case DataType::unsigned32:
+            return 4;
+    }
+    return 0;
+}
+
+constexpr bool is_signed(DataType type) {
+    return type == DataType::integer8 || type == DataType::integer16 || type == DataType::integer32;
+}
+
+enum class ObjectCode : std::uint8_t { var = 0x7, array = 0x8, record = 0x9 };
+
+// rwr / rww: readable and writable, mappable into a TPDO (r) or an RPDO (w) only.
+enum class Access : std::uint8_t { ro = 0, wo = 1, rw = 2, rwr = 3, rww = 4, constant = 5 };
+
+// The abort codes the gateway sends (manual, table 3) and those its client side may meet.
+enum class AbortCode : std::uint32_t {
+    none = 0,
+    timed_out = 0x05040000,
+    command_unknown = 0x05040001,
+    unsupported_access = 0x06010000,
+    write_only = 0x06010001,
+    read_only = 0x06010002,
+    object_missing = 0x06020000,
+    length_too_high = 0x06070012,
+    length_too_low = 0x06070013,
+    sub_index_missing = 0x06090011,
+    general = 0x08000000,
+};
+
+}  // namespace cgw::object

@@ -1,0 +1,98 @@
+// What one parameter file says, before anything is concluded from it: both parameter sets with the
+// place of every value.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "diagnostic/location.hpp"
+#include "parameter/catalogue.hpp"
+#include "parameter/row.hpp"
+
+namespace cgw::parameter {
+
+struct Assignment {
+    const Row* row = nullptr;
+    double value = 0;              // engineering units, as typed
+    bool hexadecimal = false;      // typed as 0x…
+    std::string spelling;          // the key as written
+    diagnostic::Location key;
+    diagnostic::Location where;    // of the value
+};
+
+// The assigned parameters of one device; what is not assigned is 0 (off).
+class ParameterSet {
+  public:
+    // False, and nothing changed, when the number is assigned already.
+    bool assign(Assignment assignment);
+
+    const Assignment* find(std::uint16_t number) const;
+    double value(std::uint16_t number) const;          // 0 when not assigned
+    std::uint32_t integer(std::uint16_t number) const; // value() as an integer; 0 for a negative one
+    const std::map<std::uint16_t, Assignment>& all() const { return assigned_; }
+
+  private:
+    std::map<std::uint16_t, Assignment> assigned_;
+};
+
+struct Date {
+    int year = 2004;
+    int month = 5;
+    int day = 19;
+
+    friend auto operator<=>(const Date&, const Date&) = default;
+};
+
+struct DocumentInformation {
+    std::optional<Date> created;
+    std::string author;
+    std::uint32_t revision = 0;  // 0..255: EDS FileRevision is an UNSIGNED8
+};
+
+// 1018h:3 and :4 (D32); zero where the file says nothing.
+struct Identity {
+    std::uint32_t software_version = 0;  // 3842, 0..65535
+    std::uint32_t serial_date = 0;       // 3844, 0..9912
+    std::uint32_t serial_number = 0;     // 3845, 0..65535
+};
+
+enum class ControllerFamily : std::uint8_t { mcp2515, at90can };
+
+struct BitTiming {
+    std::uint32_t clock_hz = 0;
+    ControllerFamily family = ControllerFamily::mcp2515;
+    diagnostic::Location where;
+};
+
+struct NetworkNode {
+    std::uint8_t node_id = 0;
+    diagnostic::Location where;
+};
+
+struct Settings {
+    std::string path;
+    std::string title;
+    DocumentInformation document;
+    std::uint32_t main_cycle_us = 15625;  // governor main cycle (D8)
+    Identity identity;
+    std::optional<BitTiming> can1_bit_timing;
+    std::optional<BitTiming> can2_bit_timing;
+    std::vector<NetworkNode> network_nodes;
+    ParameterSet governor;
+    ParameterSet gateway;
+    diagnostic::Location governor_table;  // the [governor.parameters] header, for what is missing there
+    diagnostic::Location gateway_table;
+    std::vector<const Row*> declarations;  // [[governor.declare]], in the order of the file
+
+    const ParameterSet& of(Device device) const { return device == Device::governor ? governor : gateway; }
+};
+
+// SHA-256 of the canonical model: format, title, identity, main cycle, declarations, and all values that
+// differ from 0, sorted by device and number. Independent of order, comments and spelling of the file.
+std::array<std::uint8_t, 32> configuration_id(const Settings& settings);
+
+}  // namespace cgw::parameter

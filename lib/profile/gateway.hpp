@@ -1,0 +1,25 @@
+// The CANopen Gateway's object dictionary for a configuration (manual, chapters 5 and 10; D20–D43).
+#pragma once
+
+#include <string>
+
+#include "config/configuration.hpp"
+#include "dictionary/dictionary.hpp"
+#include "parameter/settings.hpp"
+
+namespace cgw::profile {
+
+// What stands in the dictionary's file information beside the configuration.
+struct GatewayDocument {
+    std::string file_name = "CANopenGateway.eds";
+    std::string title;
+    parameter::Date created;
+    std::string author;
+    unsigned revision = 0;
+    std::string configuration_id;  // 16 hexadecimal digits
+    std::string tool_version;      // "0.1.0"
+};
+
+dictionary::Dictionary gateway_dictionary(const config::Configuration& configuration, const GatewayDocument& document);
+
+}  // namespace cgw::profile
