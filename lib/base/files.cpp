@@ -1,0 +1,185 @@
+#include "base/files.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <cstring>
+
+namespace cgw::base {
+namespace {
+
+// Closes on every path; close errors matter only after writing, where release() is used first.
+class Descriptor {
+  public:
+    explicit Descriptor(int number) : number_(number) {}
+    Descriptor(const Descriptor&) = delete;
+    Descriptor& operator=(const Descriptor&) = delete;
+    ~Descriptor() {
+        if (number_ > STDIN_FILENO) {
+            ::close(number_);
+        }
+    }
+    int get() const { return number_; }
+    int release() {
+        const int number = number_;
+        number_ = -1;
+        return number;
+    }
+
+  private:
+    int number_;
+};
+
+std::string reason() {
+    return std::strerror(errno);
+}
+
+Result<std::string> read_all(int descriptor, const std::string& name, std::size_t limit) {
+    std::string content;
+    std::array<char, 65536> buffer{};
+    for (;;) {
+        const ssize_t count = ::read(descriptor, buffer.data(), buffer.size());
+        if (count < 0 && errno == EINTR) {
+            continue;
+        }
+        if (count < 0) {
+            return failure(fmt::format("cannot read {}: {}", name, reason()));
+        }
+        if (count == 0) {
+            return content;
+        }
+        content.append(buffer.data(), static_cast<std::size_t>(count));
+        if (content.size() > limit) {
+            return tl::unexpected<Failure>(
+                Failure{fmt::format("cannot read {}: it is larger than {} bytes", name, limit), true});
+        }
+    }
+}
+
+bool write_all(int descriptor, std::span<const std::uint8_t> content) {
+    while (!content.empty()) {
+        const ssize_t count = ::write(descriptor, content.data(), content.size());
+        if (count < 0 && errno == EINTR) {
+            continue;
+        }
+        if (count < 0) {
+            return false;
+        }
+        content = content.subspan(static_cast<std::size_t>(count));
+    }
+    return true;
+}
+
+bool holds_already(const std::filesystem::path& target, std::span<const std::uint8_t> content) {
+    std::error_code error;
+    if (!std::filesystem::is_regular_file(target, error) ||
+        std::filesystem::file_size(target, error) != content.size()) {
+        return false;
+    }
+    const Result<std::string> present = read_file(target.string(), content.size());
+    return present && std::equal(present->begin(), present->end(), content.begin(), content.end(),
+                                 [](char a, std::uint8_t b) { return static_cast<std::uint8_t>(a) == b; });
+}
+
+// A new file beside the target, so that the later rename stays on one file system.
+Result<void> write_temporary(const std::filesystem::path& temporary, const std::filesystem::path& target,
+                             std::span<const std::uint8_t> content) {
+    constexpr mode_t mode = S_IRUSR | S_IWUSR | S_IRGRP | S_IWGRP | S_IROTH | S_IWOTH;  // umask narrows it
+    Descriptor file(::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode));
+    if (file.get() < 0) {
+        return failure(fmt::format("cannot write {}: {}", target.string(), reason()));
+    }
+    const bool written = write_all(file.get(), content);
+    const int write_error = errno;
+    const bool closed = ::close(file.release()) == 0;
+    if (written && closed) {
+        return {};
+    }
+    const std::string why = std::strerror(written ? errno : write_error);
+    ::unlink(temporary.c_str());
+    return failure(fmt::format("cannot write {}: {}", target.string(), why));
+}
+
+}  // namespace
+
+Result<std::string> read_file(const std::string& path, std::size_t limit) {
+    if (path == "-") {
+        return read_all(STDIN_FILENO, "standard input", limit);
+    }
+    const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
+    if (file.get() < 0) {
+        return failure(fmt::format("cannot read {}: {}", path, reason()));
+    }
+    return read_all(file.get(), path, limit);
+}
+
+FileSet::~FileSet() {
+    for (const Staged& staged : staged_) {
+        ::unlink(staged.temporary.c_str());
+    }
+}
+
+Result<void> FileSet::stage(const std::filesystem::path& target, std::span<const std::uint8_t> content) {
+    std::error_code error;
+    if (std::filesystem::is_directory(target, error)) {
+        return failure(fmt::format("cannot write {}: it is a directory", target.string()));
+    }
+    if (holds_already(target, content)) {
+        return {};
+    }
+    // Writing through a link keeps the link: the file it points to is replaced.
+    const std::filesystem::path real = std::filesystem::is_symlink(target, error)
+                                           ? std::filesystem::weakly_canonical(target, error)
+                                           : target;
+    const std::filesystem::path temporary =
+        real.parent_path() /
+        fmt::format(".{}.{}.{}.tmp", real.filename().string(), ::getpid(), staged_.size());
+    if (Result<void> written = write_temporary(temporary, target, content); !written) {
+        return written;
+    }
+    staged_.push_back({temporary, real});
+    return {};
+}
+
+Result<void> FileSet::commit() {
+    while (!staged_.empty()) {
+        const Staged& next = staged_.back();
+        if (::rename(next.temporary.c_str(), next.target.c_str()) != 0) {
+            return failure(fmt::format("cannot write {}: {}", next.target.string(), reason()));
+        }
+        staged_.pop_back();
+    }
+    return {};
+}
+
+namespace {
+
+// A device or a pipe is written to, not replaced: --depfile /dev/null, -o /dev/full, a named pipe.
+Result<void> write_special(const std::filesystem::path& target, std::span<const std::uint8_t> content) {
+    Descriptor file(::open(target.c_str(), O_WRONLY | O_CLOEXEC));
+    if (file.get() < 0 || !write_all(file.get(), content) || ::close(file.release()) != 0) {
+        return failure(fmt::format("cannot write {}: {}", target.string(), reason()));
+    }
+    return {};
+}
+
+}  // namespace
+
+Result<void> write_file(const std::filesystem::path& target, std::span<const std::uint8_t> content) {
+    std::error_code error;
+    const std::filesystem::file_status status = std::filesystem::status(target, error);
+    if (std::filesystem::exists(status) && std::filesystem::is_other(status)) {
+        return write_special(target, content);
+    }
+    FileSet files;
+    if (Result<void> staged = files.stage(target, content); !staged) {
+        return staged;
+    }
+    return files.commit();
+}
+
+}  // namespace cgw::base

@@ -8,14 +8,15 @@
 namespace cgw::base {
 
 struct Failure {
-    std::string message;  // lower case, no final period, names the path
+    std::string message;     // lower case, no final period, names the path
+    bool too_large = false;  // reading stopped at the caller's limit
 };
 
 template <typename T>
 using Result = tl::expected<T, Failure>;
 
 inline tl::unexpected<Failure> failure(std::string message) {
-    return tl::unexpected<Failure>(Failure{std::move(message)});
+    return tl::unexpected<Failure>(Failure{std::move(message), false});
 }
 
 }  // namespace cgw::base

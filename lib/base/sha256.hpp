@@ -12,7 +12,7 @@ using Sha256 = std::array<std::uint8_t, 32>;
 
 Sha256 sha256(std::span<const std::uint8_t> bytes);
 
-// Lower-case hexadecimal of the first `count` bytes.
+// Lower-case hexadecimal, two digits a byte.
 std::string to_hex(std::span<const std::uint8_t> bytes);
 
 }  // namespace cgw::base

@@ -23,6 +23,9 @@ struct Diagnostic {
     Location where;
     std::vector<Related> related{};
     std::string help{};
+    bool promoted = false;  // a warning that the user wants treated as an error (--werror)
+
+    Level level() const { return promoted ? Level::error : rule->level; }
 };
 
 class Findings {
@@ -35,6 +38,10 @@ class Findings {
 
     // By path, then position, then code; equal findings stay in the order of reporting.
     void sort();
+
+    // Hides the warnings and notes of these rules; errors stay. Promotes the remaining warnings.
+    void hide(const std::vector<const Rule*>& rules);
+    void promote_warnings();
 
   private:
     std::vector<Diagnostic> all_;

@@ -1,0 +1,92 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "diagnostic/renderers.hpp"
+#include "diagnostic/source_lines.hpp"
+
+namespace cgw::diagnostic {
+namespace {
+
+struct Colors {
+    std::string_view level;
+    std::string_view bold;
+    std::string_view end;
+};
+
+std::string_view color_of(Level level) {
+    switch (level) {
+        case Level::error:
+            return "\x1b[1;31m";
+        case Level::warning:
+            return "\x1b[1;33m";
+        case Level::note:
+            return "\x1b[1;36m";
+    }
+    return "";
+}
+
+Colors colors_for(Level level, bool color) {
+    return color ? Colors{color_of(level), "\x1b[1m", "\x1b[0m"} : Colors{};
+}
+
+std::string plural(std::size_t count, std::string_view noun) {
+    return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
+}
+
+// A help of several lines is an example to copy; its lines are indented.
+void append_help(std::string& text, std::string_view help) {
+    std::string_view lead = "  help: ";
+    while (!help.empty()) {
+        const std::size_t end = std::min(help.find('\n'), help.size());
+        text += fmt::format("{}{}\n", lead, printable(help.substr(0, end)));
+        help.remove_prefix(std::min(end + 1, help.size()));
+        lead = "        ";
+    }
+}
+
+void append_finding(std::string& text, const Diagnostic& finding, SourceLines& lines, bool color) {
+    const Colors c = colors_for(finding.level(), color);
+    text += fmt::format("{}{}:{} {}{}:{} {} [{} {}]\n", c.bold, to_text(finding.where), c.end, c.level,
+                        to_text(finding.level()), c.end, printable(finding.message), finding.rule->code,
+                        finding.rule->name);
+    text += lines.excerpt(finding.where, '^', c.level, c.end);
+    for (const Related& related : finding.related) {
+        text += fmt::format("  see {}: {}\n", to_text(related.where), printable(related.message));
+        text += lines.excerpt(related.where, '-', c.bold, c.end);
+    }
+    append_help(text, finding.help);
+    text += '\n';
+}
+
+std::string summary(const FileReport& file) {
+    std::size_t counts[3] = {};
+    for (const Diagnostic& finding : file.findings) {
+        ++counts[static_cast<std::size_t>(finding.level())];
+    }
+    const Location whole{file.path, {}};
+    std::string text = fmt::format("{}: {}", to_text(whole), counts[0] > 0 ? "not valid" : "valid");
+    std::string_view separator = ", ";
+    for (const Level level : {Level::error, Level::warning, Level::note}) {
+        if (const std::size_t count = counts[static_cast<std::size_t>(level)]; count > 0) {
+            text += fmt::format("{}{}", separator, plural(count, to_text(level)));
+        }
+    }
+    return text + (file.findings.empty() ? ", no findings\n" : "\n");
+}
+
+}  // namespace
+
+std::string render_human(const RenderInput& input) {
+    SourceLines lines(input.sources);
+    std::string text;
+    for (const FileReport& file : input.files) {
+        for (const Diagnostic& finding : file.findings) {
+            append_finding(text, finding, lines, input.color);
+        }
+        text += summary(file);
+    }
+    return text;
+}
+
+}  // namespace cgw::diagnostic

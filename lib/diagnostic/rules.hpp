@@ -12,8 +12,8 @@ enum class Level { error, warning, note };
 std::string_view to_text(Level level);  // "error", "warning", "note"
 
 struct Rule {
-    std::string_view code;       // E0203
-    std::string_view name;       // node-id-duplicate
+    std::string_view code;  // E0203
+    std::string_view name;  // node-id-duplicate
     Level level;
     std::string_view summary;    // what the rule demands, one line
     std::string_view reference;  // manual section or ruling: "GWM 7.3, D33"

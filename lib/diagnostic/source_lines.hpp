@@ -1,0 +1,37 @@
+// The lines of the source texts, for caret lines.
+#pragma once
+
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "diagnostic/location.hpp"
+
+namespace cgw::diagnostic {
+
+class SourceLines {
+  public:
+    // The texts must outlive this object.
+    explicit SourceLines(const std::map<std::string, std::string>& sources) : sources_(sources) {}
+
+    // Two lines, the source and the marks below it, each ending in a newline; "" when the text is not known
+    // or the location means the whole file. A long line is cut around the marks, control characters
+    // print as blanks, bytes that are not UTF-8 as '?'.
+    std::string excerpt(const Location& where, char mark, std::string_view mark_start,
+                        std::string_view mark_end);
+
+  private:
+    std::string_view line(const std::string& path, std::uint32_t number);
+
+    const std::map<std::string, std::string>& sources_;
+    std::map<std::string, std::vector<std::size_t>> starts_;  // offset of each line, filled on demand
+};
+
+// Control characters as '?', so that a name from a hostile file cannot steer the terminal.
+std::string printable(std::string_view text);
+
+// `path:line:column`, or the path alone for a whole file.
+std::string to_text(const Location& where);
+
+}  // namespace cgw::diagnostic
