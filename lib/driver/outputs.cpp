@@ -1,0 +1,104 @@
+#include "driver/outputs.hpp"
+
+#include <fmt/format.h>
+
+#include "base/files.hpp"
+
+namespace cgw::driver {
+namespace {
+
+// Calls `visit(emitter, format)` for every file that build writes.
+template <typename Visit>
+void for_each_built(Visit visit) {
+    for (const emit::Emitter& emitter : emit::all_emitters()) {
+        for (const emit::Format& format : emitter.formats) {
+            if (!format.file_name.empty()) {
+                visit(emitter, format);
+            }
+        }
+    }
+}
+
+std::string escape_for_make(const std::string& path) {
+    std::string escaped;
+    for (const char c : path) {
+        if (c == ' ' || c == '#') {
+            escaped += '\\';
+        }
+        escaped += c;
+        if (c == '$') {
+            escaped += '$';
+        }
+    }
+    return escaped;
+}
+
+}  // namespace
+
+std::vector<Artefact> build_artefacts(const emit::Plant& plant) {
+    std::vector<Artefact> artefacts;
+    for_each_built([&](const emit::Emitter& emitter, const emit::Format& format) {
+        emit::Options options;
+        options.format = format.name;
+        artefacts.push_back({std::string(format.file_name), emitter.emit(plant, options)});
+    });
+    return artefacts;
+}
+
+std::vector<std::string> build_file_names() {
+    std::vector<std::string> names;
+    for_each_built(
+        [&](const emit::Emitter&, const emit::Format& format) { names.emplace_back(format.file_name); });
+    return names;
+}
+
+base::Result<void> write_artefacts(const std::filesystem::path& directory,
+                                   const std::vector<Artefact>& artefacts) {
+    std::error_code error;
+    const bool created = std::filesystem::create_directories(directory, error);
+    if (error) {
+        return base::failure(fmt::format("cannot create {}: {}", directory.string(), error.message()));
+    }
+    base::Result<void> result;
+    {
+        base::FileSet files;
+        for (const Artefact& artefact : artefacts) {
+            if (result = files.stage(directory / artefact.file_name, artefact.content); !result) {
+                break;
+            }
+        }
+        if (result) {
+            result = files.commit();
+        }
+    }
+    if (!result && created) {
+        std::filesystem::remove(directory, error);  // only when empty
+    }
+    return result;
+}
+
+std::vector<std::string> stale_artefacts(const std::filesystem::path& directory,
+                                         const std::vector<Artefact>& artefacts) {
+    std::vector<std::string> stale;
+    for (const Artefact& artefact : artefacts) {
+        if (!up_to_date(directory / artefact.file_name, artefact.content)) {
+            stale.push_back(artefact.file_name);
+        }
+    }
+    return stale;
+}
+
+bool up_to_date(const std::filesystem::path& path, const base::Bytes& content) {
+    const base::Result<std::string> present = base::read_file(path.string(), content.size());
+    return present && base::to_bytes(*present) == content;
+}
+
+std::string dependency_file(const std::string& target, const std::vector<std::string>& dependencies) {
+    std::string text = escape_for_make(target) + ":";
+    for (const std::string& dependency : dependencies) {
+        text += " \\\n  " + escape_for_make(dependency);
+    }
+    return text + "\n";
+}
+
+}  // namespace cgw::driver

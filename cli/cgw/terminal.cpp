@@ -1,0 +1,60 @@
+#include "cli/cgw/terminal.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <string>
+
+#include "cli/cgw/exit_codes.hpp"
+
+namespace cgw::cli {
+
+bool print(std::string_view text) {
+    const bool written = std::fwrite(text.data(), 1, text.size(), stdout) == text.size();
+    if (written && std::fflush(stdout) == 0) {
+        return true;
+    }
+    print_error(fmt::format("cannot write standard output: {}", std::strerror(errno)));
+    return false;
+}
+
+void print_error(std::string_view line) {
+    std::fputs(fmt::format("cgw: {}\n", line).c_str(), stderr);
+}
+
+bool is_terminal(std::FILE* stream) {
+    return ::isatty(::fileno(stream)) != 0;
+}
+
+bool use_color(Color color, std::FILE* stream) {
+    if (color != Color::automatic) {
+        return color == Color::always;
+    }
+    const char* no_color = std::getenv("NO_COLOR");
+    const char* terminal = std::getenv("TERM");
+    const bool dumb = terminal != nullptr && std::string_view(terminal) == "dumb";
+    return (no_color == nullptr || *no_color == '\0') && !dumb && is_terminal(stream);
+}
+
+void report_findings(const driver::CheckedFile& file, Color color) {
+    if (file.findings.all().empty()) {
+        return;
+    }
+    diagnostic::RenderInput input;
+    input.files.push_back({file.path, file.findings.all()});
+    input.sources = file.sources;
+    input.color = use_color(color, stderr);
+    std::fputs(diagnostic::render_human(input).c_str(), stderr);
+}
+
+int exit_code_of(const driver::CheckedFile& file) {
+    if (file.unreadable) {
+        return exit_environment;
+    }
+    return file.findings.has_errors() ? exit_findings : exit_fine;
+}
+
+}  // namespace cgw::cli

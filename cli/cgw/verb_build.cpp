@@ -1,0 +1,90 @@
+#include <fmt/format.h>
+
+#include <filesystem>
+
+#include "base/files.hpp"
+#include "cli/cgw/exit_codes.hpp"
+#include "cli/cgw/terminal.hpp"
+#include "cli/cgw/verbs.hpp"
+#include "driver/outputs.hpp"
+#include "driver/plant.hpp"
+
+namespace cgw::cli {
+namespace {
+
+// Manual chapter 7, note: neither device takes a configuration over before it was saved and reset.
+constexpr std::string_view reminder =
+    "Enter the parameters in both devices, save them in both, then reset BOTH devices:\n"
+    "neither takes over a new configuration before its reset.\n";
+
+std::string in_directory(const BuildOptions& options, const std::string& name) {
+    return (std::filesystem::path(options.directory) / name).string();
+}
+
+int list_outputs(const BuildOptions& options) {
+    std::string text;
+    for (const std::string& name : driver::build_file_names()) {
+        text += in_directory(options, name) + "\n";
+    }
+    return print(text) ? exit_fine : exit_environment;
+}
+
+int compare(const BuildOptions& options, const std::vector<driver::Artefact>& artefacts) {
+    const std::vector<std::string> stale = driver::stale_artefacts(options.directory, artefacts);
+    for (const std::string& name : stale) {
+        print_error(fmt::format("{} is missing or stale; run cgw build", in_directory(options, name)));
+    }
+    return stale.empty() ? exit_fine : exit_findings;
+}
+
+base::Result<void> write(const BuildOptions& options, const driver::CheckedFile& file,
+                         const std::vector<driver::Artefact>& artefacts) {
+    base::Result<void> written = driver::write_artefacts(options.directory, artefacts);
+    if (written && !options.depfile.empty()) {
+        const std::string target = in_directory(options, artefacts.front().file_name);
+        written = base::write_file(options.depfile,
+                                   base::to_bytes(driver::dependency_file(target, file.dependencies)));
+    }
+    return written;
+}
+
+std::string summary(const BuildOptions& options, const driver::CheckedFile& file, const emit::Plant& plant,
+                    const std::vector<driver::Artefact>& artefacts) {
+    std::string text = fmt::format("{}: {}, configuration id {}\n", file.path, file.settings.title,
+                                   plant.configuration_id_text);
+    for (const driver::Artefact& artefact : artefacts) {
+        text += fmt::format("  {} ({} bytes)\n", in_directory(options, artefact.file_name),
+                            artefact.content.size());
+    }
+    return text + std::string(reminder);
+}
+
+}  // namespace
+
+int build(const BuildOptions& options) {
+    if (options.list_outputs) {
+        return list_outputs(options);
+    }
+    const driver::CheckedFile file = driver::check_file(options.file);
+    report_findings(file, options.color);
+    if (!file.valid()) {
+        return exit_code_of(file);
+    }
+    const base::Result<driver::Plant> made = driver::Plant::make(file);
+    if (!made) {
+        print_error(made.error().message);
+        return exit_usage;
+    }
+    const emit::Plant plant = made->view();
+    const std::vector<driver::Artefact> artefacts = driver::build_artefacts(plant);
+    if (options.check) {
+        return compare(options, artefacts);
+    }
+    if (const base::Result<void> written = write(options, file, artefacts); !written) {
+        print_error(written.error().message);
+        return exit_environment;
+    }
+    return print(summary(options, file, plant, artefacts)) ? exit_fine : exit_environment;
+}
+
+}  // namespace cgw::cli

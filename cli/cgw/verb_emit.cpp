@@ -1,0 +1,70 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "base/files.hpp"
+#include "cli/cgw/exit_codes.hpp"
+#include "cli/cgw/terminal.hpp"
+#include "cli/cgw/verbs.hpp"
+#include "driver/outputs.hpp"
+#include "driver/plant.hpp"
+
+namespace cgw::cli {
+namespace {
+
+int write_to_stdout(const base::Bytes& content) {
+    const bool binary = std::find(content.begin(), content.end(), 0) != content.end();
+    if (binary && is_terminal(stdout)) {
+        print_error("this artefact is binary and is not written to a terminal; use -o FILE");
+        return exit_usage;
+    }
+    const std::string text(content.begin(), content.end());
+    return print(text) ? exit_fine : exit_environment;
+}
+
+int write_to_file(const EmitOptions& options, const driver::CheckedFile& file, const base::Bytes& content) {
+    base::Result<void> written = base::write_file(options.output, content);
+    if (written && !options.depfile.empty()) {
+        written = base::write_file(
+            options.depfile, base::to_bytes(driver::dependency_file(options.output, file.dependencies)));
+    }
+    if (!written) {
+        print_error(written.error().message);
+        return exit_environment;
+    }
+    return exit_fine;
+}
+
+int compare(const EmitOptions& options, const base::Bytes& content) {
+    if (driver::up_to_date(options.output, content)) {
+        return exit_fine;
+    }
+    print_error(
+        fmt::format("{} is missing or stale; run cgw emit {}", options.output, options.emitter->name));
+    return exit_findings;
+}
+
+}  // namespace
+
+int emit(const EmitOptions& options) {
+    if (options.list_outputs) {
+        return print(options.output + "\n") ? exit_fine : exit_environment;
+    }
+    const driver::CheckedFile file = driver::check_file(options.file);
+    report_findings(file, options.color);
+    if (!file.valid()) {
+        return exit_code_of(file);
+    }
+    const base::Result<driver::Plant> made = driver::Plant::make(file);
+    if (!made) {
+        print_error(made.error().message);
+        return exit_usage;
+    }
+    const base::Bytes content = options.emitter->emit(made->view(), options.artefact);
+    if (options.check) {
+        return compare(options, content);
+    }
+    return options.output == "-" ? write_to_stdout(content) : write_to_file(options, file, content);
+}
+
+}  // namespace cgw::cli

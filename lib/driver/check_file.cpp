@@ -1,0 +1,60 @@
+#include "driver/check_file.hpp"
+
+#include <filesystem>
+
+#include "base/files.hpp"
+#include "catalogue/catalogue.hpp"
+#include "check/checks.hpp"
+#include "input/parameter_file.hpp"
+#include "toml/document.hpp"
+
+namespace cgw::driver {
+namespace {
+
+void report_unreadable(CheckedFile& file, const base::Failure& failure) {
+    const bool too_large = failure.too_large;
+    file.unreadable = !too_large;
+    const diagnostic::Rule& rule =
+        too_large ? diagnostic::rules::file_too_large : diagnostic::rules::file_unreadable;
+    file.findings.report({&rule, failure.message, {file.path, {}}});
+}
+
+std::string beside(const std::string& file, const std::string& name) {
+    if (file == "-") {
+        return name;
+    }
+    return (std::filesystem::path(file).parent_path() / name).string();
+}
+
+}  // namespace
+
+CheckedFile check_file(const std::string& path) {
+    CheckedFile file;
+    file.path = path;
+    file.catalogue = std::make_unique<parameter::Catalogue>(catalogue::shipped_rows());
+    file.dependencies.push_back(path);
+    base::Result<std::string> text = base::read_file(path, toml::maximum_file_size);
+    if (!text) {
+        report_unreadable(file, text.error());
+        return file;
+    }
+    const auto load = [&](const std::string& name) {
+        const std::string catalogue_path = beside(path, name);
+        file.dependencies.push_back(catalogue_path);
+        base::Result<std::string> content = base::read_file(catalogue_path, toml::maximum_file_size);
+        file.unreadable = file.unreadable || (!content && !content.error().too_large);
+        return content;
+    };
+    input::ReadResult read = input::read_parameter_file(*text, path, *file.catalogue, load, file.findings);
+    file.sources = std::move(read.file.sources);
+    file.sources[path] = std::move(*text);
+    file.settings = std::move(read.file.settings);
+    if (read.usable) {
+        file.configuration = config::resolve(file.settings, *file.catalogue);
+        check::check({file.settings, *file.catalogue, file.configuration, file.findings});
+    }
+    file.findings.sort();
+    return file;
+}
+
+}  // namespace cgw::driver

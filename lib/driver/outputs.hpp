@@ -1,0 +1,40 @@
+// Artefacts to files, whole or not at all.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "base/bytes.hpp"
+#include "base/result.hpp"
+#include "emit/emitter.hpp"
+
+namespace cgw::driver {
+
+struct Artefact {
+    std::string file_name;
+    base::Bytes content;
+};
+
+// Everything `build` writes, in the order of the emitter table.
+std::vector<Artefact> build_artefacts(const emit::Plant& plant);
+
+// File names of the above without a plant.
+std::vector<std::string> build_file_names();
+
+// Creates the directory when it is missing (and removes it again when nothing could be written).
+// Nothing is visible before all is staged; identical files stay untouched.
+base::Result<void> write_artefacts(const std::filesystem::path& directory,
+                                   const std::vector<Artefact>& artefacts);
+
+// Names of those artefacts whose file in `directory` is missing or differs.
+std::vector<std::string> stale_artefacts(const std::filesystem::path& directory,
+                                         const std::vector<Artefact>& artefacts);
+
+// True when the file holds exactly these bytes.
+bool up_to_date(const std::filesystem::path& path, const base::Bytes& content);
+
+// A Makefile fragment "target: dependencies", as Ninja and Make read it.
+std::string dependency_file(const std::string& target, const std::vector<std::string>& dependencies);
+
+}  // namespace cgw::driver

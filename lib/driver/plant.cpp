@@ -1,0 +1,54 @@
+#include "driver/plant.hpp"
+
+#include <fmt/format.h>
+
+#include <cstdlib>
+
+#include "base/sha256.hpp"
+#include "driver/dates.hpp"
+#include "profile/gateway.hpp"
+
+namespace cgw::driver {
+namespace {
+
+constexpr std::array<std::uint16_t, 3> version_numbers = {CGW_VERSION_MAJOR, CGW_VERSION_MINOR,
+                                                          CGW_VERSION_PATCH};
+constexpr std::size_t shown_id_bytes = 8;  // of the 32; INTERFACE: "first 8 bytes shown"
+
+std::string short_id(const std::array<std::uint8_t, 32>& id) {
+    return base::to_hex(std::span(id).first(shown_id_bytes));
+}
+
+}  // namespace
+
+std::string tool_version() {
+    return fmt::format("{}.{}.{}", version_numbers[0], version_numbers[1], version_numbers[2]);
+}
+
+base::Result<Plant> Plant::make(const CheckedFile& file) {
+    const parameter::Settings& settings = file.settings;
+    base::Result<parameter::Date> date =
+        artefact_date(settings.document.created, std::getenv("SOURCE_DATE_EPOCH"));
+    if (!date) {
+        return tl::unexpected(date.error());
+    }
+    Plant plant(file);
+    plant.configuration_id_ = parameter::configuration_id(settings);
+    profile::GatewayDocument document;
+    document.title = settings.title;
+    document.created = *date;
+    document.author = settings.document.author;
+    document.revision = settings.document.revision;
+    document.configuration_id = short_id(plant.configuration_id_);
+    document.tool_version = tool_version();
+    plant.dictionary_ = profile::gateway_dictionary(file.configuration, document);
+    return plant;
+}
+
+emit::Plant Plant::view() const {
+    return {file_->settings,   file_->configuration,        dictionary_,
+            configuration_id_, short_id(configuration_id_), version_numbers,
+            tool_version()};
+}
+
+}  // namespace cgw::driver

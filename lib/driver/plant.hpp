@@ -1,0 +1,31 @@
+// A valid parameter file with everything the emitters need.
+#pragma once
+
+#include <string>
+
+#include "base/result.hpp"
+#include "dictionary/dictionary.hpp"
+#include "driver/check_file.hpp"
+#include "emit/emitter.hpp"
+
+namespace cgw::driver {
+
+// The one version, from project(VERSION).
+std::string tool_version();
+
+// Refers to the checked file, which must outlive it and be valid().
+class Plant {
+  public:
+    static base::Result<Plant> make(const CheckedFile& file);
+
+    emit::Plant view() const;
+
+  private:
+    explicit Plant(const CheckedFile& file) : file_(&file) {}
+
+    const CheckedFile* file_;
+    dictionary::Dictionary dictionary_;
+    std::array<std::uint8_t, 32> configuration_id_{};
+};
+
+}  // namespace cgw::driver
