@@ -1,0 +1,69 @@
+#include <gtest/gtest.h>
+
+#include "base/edit_distance.hpp"
+#include "base/json.hpp"
+#include "base/sha256.hpp"
+#include "base/utf8.hpp"
+
+namespace base = cgw::base;
+
+TEST(EditDistance, counts_single_character_edits_and_swaps) {
+    EXPECT_EQ(base::edit_distance("speed", "speed"), 0U);
+    EXPECT_EQ(base::edit_distance("Speed", "sPEED"), 0U);
+    EXPECT_EQ(base::edit_distance("Sped", "Speed"), 1U);
+    EXPECT_EQ(base::edit_distance("Spede", "Speed"), 1U);
+    EXPECT_EQ(base::edit_distance("", "abc"), 3U);
+}
+
+TEST(NearestName, offers_only_what_is_near) {
+    const std::string_view names[] = {"CanMyNodeNumber", "CanCMNodeNumber", "CanBaudrate"};
+    EXPECT_EQ(base::nearest_name("CanMyNodNumber", names), "CanMyNodeNumber");
+    EXPECT_EQ(base::nearest_name("canbaudrate", names), "CanBaudrate");
+    EXPECT_EQ(base::nearest_name("Temperature", names), "");
+    EXPECT_EQ(base::nearest_name("", names), "");
+    EXPECT_EQ(base::nearest_name(std::string(100000, 'x'), names), "");
+}
+
+TEST(Sha256, matches_the_published_vectors) {
+    const auto hash = [](const std::string& text) {
+        return base::to_hex(base::sha256(std::vector<std::uint8_t>(text.begin(), text.end())));
+    };
+    EXPECT_EQ(hash(""), "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855");
+    EXPECT_EQ(hash("abc"), "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
+    EXPECT_EQ(hash("abcdbcdecdefdefgefghfghighijhijkijkljklmklmnlmnomnopnopq"),
+              "248d6a61d20638b8e5c026930c3e6039a33ce45964ff2167f6ecedd419db06c1");
+    EXPECT_EQ(hash(std::string(1000000, 'a')),
+              "cdc76e5c9914fb9281a1c7e284d73e67f1809a48a497200e046d39ccc7112cd0");
+}
+
+TEST(Utf8, accepts_exactly_the_well_formed_sequences) {
+    EXPECT_EQ(base::utf8_sequence_length("a"), 1U);
+    EXPECT_EQ(base::utf8_sequence_length("\xC3\xA4"), 2U);
+    EXPECT_EQ(base::utf8_sequence_length("\xE2\x82\xAC"), 3U);
+    EXPECT_EQ(base::utf8_sequence_length("\xF0\x9F\x9A\xA2"), 4U);
+    for (const char* bad : {"", "\x80", "\xC0\x80", "\xC3", "\xE0\x80\x80", "\xED\xA0\x80",
+                            "\xF4\x90\x80\x80", "\xFF", "\xE2\x82", "\xE2\x82x"}) {
+        EXPECT_EQ(base::utf8_sequence_length(bad), 0U) << testing::PrintToString(bad);
+    }
+}
+
+TEST(JsonWriter, separates_nests_and_escapes) {
+    base::JsonWriter json;
+    json.begin_object()
+        .key("a")
+        .integer(-1)
+        .key("b")
+        .begin_array()
+        .string("x")
+        .null()
+        .boolean(true)
+        .end_array();
+    json.key("c").begin_object().end_object().key("d").real(0.5).end_object();
+    EXPECT_EQ(json.take(), "{\"a\":-1,\"b\":[\"x\",null,true],\"c\":{},\"d\":0.5}\n");
+}
+
+TEST(JsonWriter, stays_valid_whatever_the_bytes) {
+    EXPECT_EQ(base::json_quote("a\"b\\c\n\x01\x7F"), "\"a\\\"b\\\\c\\n\\u0001\\u007f\"");
+    EXPECT_EQ(base::json_quote("\xC3\xA4"), "\"\xC3\xA4\"");
+    EXPECT_EQ(base::json_quote("\xFFx"), "\"\xEF\xBF\xBDx\"");
+}

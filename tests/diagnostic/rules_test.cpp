@@ -1,0 +1,41 @@
+#include "diagnostic/rules.hpp"
+
+#include <gtest/gtest.h>
+
+#include <regex>
+#include <set>
+
+using cgw::diagnostic::all_rules;
+using cgw::diagnostic::Level;
+using cgw::diagnostic::Rule;
+
+TEST(Rules, have_unique_codes_and_names_in_ascending_order) {
+    std::set<std::string_view> names;
+    std::string_view previous;
+    for (const Rule* rule : all_rules()) {
+        EXPECT_LT(previous, rule->code);
+        previous = rule->code;
+        EXPECT_TRUE(names.insert(rule->name).second) << rule->name;
+    }
+    EXPECT_GE(names.size(), 39U);
+}
+
+TEST(Rules, are_written_in_one_style) {
+    const std::regex code("E0[0-2][0-9]{2}");
+    const std::regex name("[a-z0-9]+(-[a-z0-9]+)+");
+    for (const Rule* rule : all_rules()) {
+        EXPECT_TRUE(std::regex_match(std::string(rule->code), code)) << rule->code;
+        EXPECT_TRUE(std::regex_match(std::string(rule->name), name)) << rule->name;
+        EXPECT_EQ(rule->code.front() == 'E', rule->level == Level::error) << rule->code;
+        ASSERT_FALSE(rule->summary.empty()) << rule->code;
+        EXPECT_NE(rule->summary.back(), '.') << rule->code;
+    }
+}
+
+TEST(Rules, about_the_plant_cite_the_manual_or_a_ruling) {
+    for (const Rule* rule : all_rules()) {
+        if (rule->code.starts_with("E02")) {
+            EXPECT_NE(rule->reference.find_first_of("GD"), std::string_view::npos) << rule->code;
+        }
+    }
+}

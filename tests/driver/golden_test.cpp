@@ -1,0 +1,52 @@
+// Every artefact of every sample, byte for byte: tests/data/golden/<sample>/.
+#include <gtest/gtest.h>
+
+#include "driver/check_file.hpp"
+#include "driver/outputs.hpp"
+#include "driver/plant.hpp"
+#include "support/golden.hpp"
+
+namespace cgw::driver {
+namespace {
+
+class Golden : public testing::TestWithParam<std::string> {};
+
+CheckedFile sample(const std::string& name) {
+    return check_file(std::string(CGW_SAMPLES) + "/" + name + ".toml");
+}
+
+}  // namespace
+
+TEST_P(Golden, artefacts_are_unchanged) {
+    const CheckedFile file = sample(GetParam());
+    ASSERT_TRUE(file.valid());
+    const auto plant = Plant::make(file);
+    for (const Artefact& artefact : build_artefacts(plant->view())) {
+        test::expect_golden("golden/" + GetParam() + "/" + artefact.file_name,
+                            std::string(artefact.content.begin(), artefact.content.end()));
+    }
+}
+
+TEST_P(Golden, text_table_is_unchanged_and_fits_80_columns) {
+    const CheckedFile file = sample(GetParam());
+    ASSERT_TRUE(file.valid());
+    emit::Options options;
+    options.format = "text";
+    const auto plant = Plant::make(file);
+    const base::Bytes bytes = emit::find_emitter("pdo-table")->emit(plant->view(), options);
+    const std::string text(bytes.begin(), bytes.end());
+    test::expect_golden("golden/" + GetParam() + "/pdo-table.txt", text);
+    std::istringstream lines(text);
+    for (std::string line; std::getline(lines, line);) {
+        EXPECT_LE(line.size(), 80U) << line;
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Samples, Golden, testing::Values("minimal", "genset", "manual-example"),
+                         [](const auto& info) {
+                             std::string name = info.param;
+                             std::replace(name.begin(), name.end(), '-', '_');
+                             return name;
+                         });
+
+}  // namespace cgw::driver
