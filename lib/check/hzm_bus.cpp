@@ -1,0 +1,138 @@
+// Both devices on the HEINZMANN CAN bus, CAN1 (manual 7.1.1, 7.2.1).
+#include <fmt/format.h>
+
+#include "check/subjects.hpp"
+#include "check/support.hpp"
+#include "config/numbers.hpp"
+
+namespace cgw::check {
+
+namespace {
+
+using config::gateway::hzm_bit_rate;
+using config::gateway::hzm_manual_timing;
+using parameter::Assignment;
+using parameter::Device;
+namespace governor = config::governor;
+namespace gateway = config::gateway;
+namespace rules = diagnostic::rules;
+
+struct HzmNodes {
+    const Assignment* governor;             // as the governor has it: 401
+    const Assignment* gateway_in_governor;  // 403
+    const Assignment* gateway;              // as the gateway has it: 401
+    const Assignment* governor_in_gateway;  // 402
+};
+
+bool differ(const Assignment* one, const Assignment* other) {
+    return one != nullptr && other != nullptr && one->value != other->value;
+}
+
+// `own` is the number a device has, `known` what the other one takes it for. The governor's is the place.
+void report_mismatch(const Context& context, const Assignment& own, const Assignment& known) {
+    const bool own_is_governor = own.row->device == Device::governor;
+    const Assignment& place = own_is_governor ? own : known;
+    const Assignment& other = own_is_governor ? known : own;
+    context.findings.report(
+        {.rule = &rules::hzm_node_mismatch,
+         .message = fmt::format("{} is {}, but {} is {} (manual 7.1.1)",
+                                owned_label(context, place.row->device, place.row->number), place.value,
+                                owned_label(context, other.row->device, other.row->number), other.value),
+         .where = place.where,
+         .related = {here(other)},
+         .help = fmt::format("if the {} is node {}, write {} = {} in [{}.parameters]",
+                             parameter::to_text(own.row->device), own.value, known.row->number, own.value,
+                             parameter::to_text(known.row->device))});
+}
+
+// Each number stands where the other belongs: one mistake, one finding.
+bool exchanged(const HzmNodes& nodes) {
+    return differ(nodes.governor, nodes.governor_in_gateway) &&
+           differ(nodes.gateway, nodes.gateway_in_governor) &&
+           nodes.governor->value == nodes.gateway->value &&
+           nodes.gateway_in_governor->value == nodes.governor_in_gateway->value;
+}
+
+void report_exchanged(const Context& context, const HzmNodes& nodes) {
+    context.findings.report(
+        {.rule = &rules::hzm_node_mismatch,
+         .message = fmt::format("{} is {} and its {} is {}, but the governor is node {} and knows the "
+                                "gateway as node {} (manual 7.1.1)",
+                                owned_label(context, Device::gateway, gateway::own_node),
+                                nodes.gateway->value, label(context, Device::gateway, gateway::governor_node),
+                                nodes.governor_in_gateway->value, nodes.governor->value,
+                                nodes.gateway_in_governor->value),
+         .where = nodes.gateway->where,
+         .related = {here(*nodes.governor), here(*nodes.gateway_in_governor)},
+         .help =
+             fmt::format("exchange the two: {} = {} and {} = {} in [gateway.parameters]", gateway::own_node,
+                         nodes.gateway_in_governor->value, gateway::governor_node, nodes.governor->value)});
+}
+
+// D17: a rate is known only where the timing registers are not set by hand.
+const Assignment* known_bit_rate(const Context& context, Device device, std::uint16_t rate,
+                                 std::uint16_t manual) {
+    const parameter::ParameterSet& set = context.settings.of(device);
+    const bool is_manual = set.value(manual) != 0 || set.rejected(manual);
+    return is_manual ? nullptr : usable(context, device, rate);
+}
+
+void check_switched_on(const Context& context, Device device, std::uint16_t number,
+                       std::string_view consequence) {
+    const Assignment* assignment = usable(context, device, number);
+    const bool is_off = assignment != nullptr && assignment->value == 0;
+    if (!is_off && !absent(context, device, number)) {
+        return;
+    }
+    context.findings.report(
+        {.rule = &rules::communication_off,
+         .message = fmt::format("{} is {}: {}", label(context, device, number), is_off ? "0" : "not set",
+                                consequence),
+         .where = is_off ? assignment->where : table_of(context, device),
+         .help = fmt::format("write {} = 1 in [{}.parameters]", number, parameter::to_text(device))});
+}
+
+}  // namespace
+
+void check_hzm_nodes(const Context& context) {
+    const HzmNodes nodes{.governor = usable(context, Device::governor, governor::own_node),
+                         .gateway_in_governor = usable(context, Device::governor, governor::gateway_node),
+                         .gateway = usable(context, Device::gateway, gateway::own_node),
+                         .governor_in_gateway = usable(context, Device::gateway, gateway::governor_node)};
+    if (exchanged(nodes)) {
+        report_exchanged(context, nodes);
+        return;
+    }
+    if (differ(nodes.governor, nodes.governor_in_gateway)) {
+        report_mismatch(context, *nodes.governor, *nodes.governor_in_gateway);
+    }
+    if (differ(nodes.gateway, nodes.gateway_in_governor)) {
+        report_mismatch(context, *nodes.gateway, *nodes.gateway_in_governor);
+    }
+}
+
+void check_hzm_bit_rates(const Context& context) {
+    const Assignment* of_governor =
+        known_bit_rate(context, Device::governor, governor::bit_rate, governor::manual_timing);
+    const Assignment* of_gateway = known_bit_rate(context, Device::gateway, hzm_bit_rate, hzm_manual_timing);
+    if (!differ(of_governor, of_gateway)) {
+        return;
+    }
+    context.findings.report(
+        {.rule = &rules::hzm_bit_rate_mismatch,
+         .message =
+             fmt::format("{} is {}, but {} is {}; both share the HEINZMANN CAN bus (manual 7.1.1)",
+                         owned_label(context, Device::governor, governor::bit_rate), quantity(*of_governor),
+                         owned_label(context, Device::gateway, hzm_bit_rate), quantity(*of_gateway)),
+         .where = of_governor->where,
+         .related = {here(*of_gateway)}});
+}
+
+void check_communication(const Context& context) {
+    check_switched_on(context, Device::governor, governor::gateway_communication,
+                      "the governor does not talk to the gateway (manual 7.1.1)");
+    check_switched_on(context, Device::gateway, gateway::governor_communication,
+                      "the gateway does not talk to the governor (manual 7.2.1)");
+}
+
+}  // namespace cgw::check

@@ -1,0 +1,221 @@
+// The identifiers of all active PDOs (manual 7.3, D33). Only TPDO5..16 can be wrong: the predefined ones
+// differ from each other and from everything reserved by their construction. Each PDO is judged once, by
+// the first judge that objects.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+
+#include "check/subjects.hpp"
+#include "check/support.hpp"
+#include "config/numbers.hpp"
+
+namespace cgw::check {
+
+namespace {
+
+using config::Configuration;
+using config::Pdo;
+using diagnostic::Diagnostic;
+using parameter::Assignment;
+using parameter::Device;
+namespace gateway = config::gateway;
+namespace rules = diagnostic::rules;
+
+// CiA 301 gives these to nobody.
+constexpr std::uint16_t first_free = 0x680;
+constexpr std::uint16_t last_free = 0x6DF;
+constexpr std::size_t first_free_tpdo = 5;
+
+struct Reserved {
+    std::uint16_t base;
+    std::uint16_t parameter;            // that says whose node id is added; 0: nobody's
+    std::uint8_t Configuration::*node;  // that node id, or null
+    std::string_view purpose;
+};
+
+constexpr Reserved reserved_identifiers[] = {
+    {0x000, 0, nullptr, "NMT commands"},
+    {0x080, 0, nullptr, "SYNC"},
+    {0x100, 0, nullptr, "TIME"},
+    {0x580, gateway::node_id, &Configuration::node_id, "the gateway's SDO answers"},
+    {0x600, gateway::node_id, &Configuration::node_id, "SDO requests to the gateway"},
+    {0x700, gateway::node_id, &Configuration::node_id, "the gateway's heartbeat"},
+    {0x700, gateway::partner_node_id, &Configuration::partner_node_id, "the partner's heartbeat"},
+};
+
+struct Owned {
+    std::uint16_t base;
+    std::string_view purpose;
+};
+
+// What another node sends, and where its SDO server listens.
+constexpr Owned owned_identifiers[] = {
+    {0x080, "its emergency messages"},
+    {0x180, "its TPDO1"},
+    {0x280, "its TPDO2"},
+    {0x380, "its TPDO3"},
+    {0x480, "its TPDO4"},
+    {0x580, "its SDO answers"},
+    {0x600, "SDO requests to it"},
+    {0x700, "its heartbeat"},
+};
+
+std::uint16_t identifier_parameter(const Pdo& pdo) {
+    return static_cast<std::uint16_t>(gateway::tpdo_identifier + (pdo.number - first_free_tpdo));
+}
+
+std::string pdo_name(const Pdo& pdo) {
+    return fmt::format("{}PDO{}", pdo.direction == config::Direction::transmit ? 'T' : 'R', pdo.number);
+}
+
+// A free identifier from the pool, a different one for each TPDO.
+std::string free_identifier_help(const Context& context, const Pdo& pdo) {
+    constexpr std::uint16_t count = last_free - first_free + 1;
+    const auto& pdos = context.configuration.pdos;
+    for (std::uint16_t step = 0; step < count; ++step) {
+        const auto offset = static_cast<std::uint16_t>(pdo.number - first_free_tpdo + step);
+        const auto candidate = static_cast<std::uint16_t>(first_free + offset % count);
+        if (std::none_of(pdos.begin(), pdos.end(), [&](const Pdo& p) { return p.cob_id == candidate; })) {
+            return fmt::format("0x{:X} is free: write {} = 0x{:X}", candidate, identifier_parameter(pdo),
+                               candidate);
+        }
+    }
+    return {};
+}
+
+Diagnostic finding_at(const Context& context, const Pdo& pdo, const diagnostic::Rule& rule) {
+    const Assignment* assignment = usable(context, Device::gateway, identifier_parameter(pdo));
+    return {.rule = &rule,
+            .message = {},
+            .where = assignment != nullptr ? assignment->where : context.settings.gateway_table,
+            .help = free_identifier_help(context, pdo)};
+}
+
+std::string identifier_label(const Context& context, const Pdo& pdo) {
+    return label(context, Device::gateway, identifier_parameter(pdo));
+}
+
+std::optional<Diagnostic> judge_absent(const Context& context, const Pdo& pdo) {
+    if (!absent(context, Device::gateway, identifier_parameter(pdo))) {
+        return std::nullopt;
+    }
+    Diagnostic finding = finding_at(context, pdo, rules::cob_id_reserved);
+    finding.message = fmt::format(
+        "{} is active, but {} is not set; without it the identifier is 000h, reserved for NMT "
+        "commands (manual 7.3)",
+        pdo_name(pdo), identifier_label(context, pdo));
+    const auto cycle =
+        static_cast<std::uint16_t>(config::governor::tpdo_cycle + pdo.number - config::first_analogue_tpdo);
+    if (const Assignment* assignment = usable(context, Device::governor, cycle)) {
+        finding.related = {here(*assignment)};
+    }
+    return finding;
+}
+
+std::optional<Diagnostic> judge_reserved(const Context& context, const Pdo& pdo) {
+    const Configuration& configuration = context.configuration;
+    for (const Reserved& reserved : reserved_identifiers) {
+        const unsigned node = reserved.node == nullptr ? 0U : configuration.*reserved.node;
+        if ((reserved.node != nullptr && node == 0) || pdo.cob_id != reserved.base + node) {
+            continue;
+        }
+        Diagnostic finding = finding_at(context, pdo, rules::cob_id_reserved);
+        finding.message =
+            fmt::format("{} is {}, reserved for {} (manual 7.3)", identifier_label(context, pdo),
+                        identifier_text(pdo.cob_id), reserved.purpose);
+        if (const Assignment* source = usable(context, Device::gateway, reserved.parameter)) {
+            finding.related = {here(*source)};
+        }
+        return finding;
+    }
+    return std::nullopt;
+}
+
+// The predefined PDOs come first, then TPDO5..16 in order.
+bool comes_before(const Pdo& one, const Pdo& other) {
+    return one.cob_id_source == config::CobIdSource::predefined || one.number < other.number;
+}
+
+diagnostic::Related identifier_source(const Context& context, const Pdo& pdo) {
+    const bool predefined = pdo.cob_id_source == config::CobIdSource::predefined;
+    const std::uint16_t number = predefined ? gateway::node_id : identifier_parameter(pdo);
+    const Assignment* source = usable(context, Device::gateway, number);
+    return {.where = source != nullptr ? source->where : context.settings.gateway_table,
+            .message = fmt::format("{} has {} from {} here", pdo_name(pdo), identifier_text(pdo.cob_id),
+                                   owned_label(context, Device::gateway, number))};
+}
+
+std::optional<Diagnostic> judge_duplicate(const Context& context, const Pdo& pdo) {
+    const auto& pdos = context.configuration.pdos;
+    const auto* const earlier = std::find_if(pdos.begin(), pdos.end(), [&](const Pdo& other) {
+        return other.active && other.cob_id == pdo.cob_id && &other != &pdo && comes_before(other, pdo);
+    });
+    if (earlier == pdos.end()) {
+        return std::nullopt;
+    }
+    Diagnostic finding = finding_at(context, pdo, rules::cob_id_duplicate);
+    finding.message =
+        fmt::format("{} is {}, which {} uses already (manual 7.3)", identifier_label(context, pdo),
+                    identifier_text(pdo.cob_id), pdo_name(*earlier));
+    finding.related = {identifier_source(context, *earlier)};
+    return finding;
+}
+
+std::optional<Diagnostic> judge_foreign(const Context& context, const Pdo& pdo) {
+    for (const parameter::NetworkNode& node : context.settings.network_nodes) {
+        const auto* const owned =
+            std::find_if(std::begin(owned_identifiers), std::end(owned_identifiers),
+                         [&](const Owned& row) { return pdo.cob_id == row.base + node.node_id; });
+        // The gateway's own node id in the list is another finding.
+        if (owned == std::end(owned_identifiers) || node.node_id == context.configuration.node_id) {
+            continue;
+        }
+        Diagnostic finding = finding_at(context, pdo, rules::cob_id_foreign);
+        finding.message =
+            fmt::format("{} is {}, which belongs to node {} for {}", identifier_label(context, pdo),
+                        identifier_text(pdo.cob_id), node.node_id, owned->purpose);
+        finding.related = {
+            {.where = node.where, .message = fmt::format("node {} is listed here", node.node_id)}};
+        return finding;
+    }
+    return std::nullopt;
+}
+
+std::optional<Diagnostic> judge(const Context& context, const Pdo& pdo) {
+    if (usable(context, Device::gateway, identifier_parameter(pdo)) == nullptr) {
+        return judge_absent(context, pdo);
+    }
+    for (const auto& judge_one : {judge_reserved, judge_duplicate, judge_foreign}) {
+        if (std::optional<Diagnostic> finding = judge_one(context, pdo)) {
+            return finding;
+        }
+    }
+    return std::nullopt;
+}
+
+void report(const Context& context, const diagnostic::Rule& rule) {
+    for (const Pdo& pdo : context.configuration.pdos) {
+        if (!pdo.active || pdo.cob_id_source != config::CobIdSource::parameter) {
+            continue;
+        }
+        std::optional<Diagnostic> finding = judge(context, pdo);
+        if (finding && finding->rule == &rule) {
+            context.findings.report(std::move(*finding));
+        }
+    }
+}
+
+}  // namespace
+
+void check_reserved_identifiers(const Context& context) {
+    report(context, rules::cob_id_reserved);
+}
+void check_duplicate_identifiers(const Context& context) {
+    report(context, rules::cob_id_duplicate);
+}
+void check_foreign_identifiers(const Context& context) {
+    report(context, rules::cob_id_foreign);
+}
+
+}  // namespace cgw::check

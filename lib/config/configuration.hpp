@@ -106,7 +106,7 @@ struct Decision {
     std::uint8_t pdo = 0;          // TPDO/RPDO number, 0 for heartbeat
     std::uint8_t asked_word = 0;   // moved, dropped: 1..4 as typed
     std::uint8_t actual_word = 0;  // moved: 1..4 as sent
-    CyclicTime time;               // quantised
+    CyclicTime time{};             // quantised
 };
 
 struct Configuration {

@@ -1,0 +1,90 @@
+#include <algorithm>
+#include <limits>
+
+#include "config/configuration.hpp"
+#include "config/numbers.hpp"
+#include "config/parts.hpp"
+#include "config/reading.hpp"
+
+namespace cgw::config {
+
+namespace {
+
+constexpr double longest_start_up_delay_s = 100;
+
+std::uint32_t start_up_delay_ms(const parameter::ParameterSet& set, std::uint16_t number) {
+    const double seconds = set.value(number);
+    const bool usable = seconds > 0 && seconds <= longest_start_up_delay_s;
+    return usable ? static_cast<std::uint32_t>(std::lround(seconds * 1000)) : 0;
+}
+
+// The registers follow each other in the order of the manual's tables (7.1.1, 7.2.1, 7.2.2).
+BusTiming bus_timing(const parameter::ParameterSet& set, std::uint16_t manual, std::uint16_t bit_rate,
+                     std::uint16_t prescaler, bool has_prop_segment) {
+    constexpr std::int32_t highest_register = 63;
+    const auto at = [&](int offset) {
+        return setting<std::uint8_t>(set, static_cast<std::uint16_t>(prescaler + offset), highest_register);
+    };
+    BusTiming timing;
+    timing.manual = switched_on(set, manual);
+    timing.bit_rate_kbit = setting<std::uint16_t>(set, bit_rate, 1000);
+    timing.prescaler = at(0);
+    timing.sync_jump_width = at(1);
+    timing.sampling_mode = at(2);
+    timing.phase_segment_1 = at(3);
+    timing.phase_segment_2 = at(4);
+    timing.prop_segment = has_prop_segment ? at(5) : std::uint8_t{0};
+    return timing;
+}
+
+}  // namespace
+
+CyclicTime cyclic_time(std::uint32_t asked_ms, std::uint32_t main_cycle_us) {
+    if (asked_ms == 0 || main_cycle_us == 0) {
+        return {.asked_ms = asked_ms};
+    }
+    const std::uint64_t asked_us = std::uint64_t{asked_ms} * 1000;
+    const std::uint64_t cycles = std::max<std::uint64_t>(1, asked_us / main_cycle_us);
+    const std::uint64_t effective_us =
+        std::min<std::uint64_t>(cycles * main_cycle_us, std::numeric_limits<std::uint32_t>::max());
+    return {.asked_ms = asked_ms,
+            .cycles = static_cast<std::uint32_t>(
+                std::min<std::uint64_t>(cycles, std::numeric_limits<std::uint32_t>::max())),
+            .effective_us = static_cast<std::uint32_t>(effective_us)};
+}
+
+CyclicTime resolve_time(const parameter::Settings& settings, parameter::Device device, std::uint16_t number,
+                        std::uint32_t main_cycle_us, std::uint8_t pdo, Configuration& configuration) {
+    const CyclicTime time = cyclic_time(time_ms(settings.of(device), number), main_cycle_us);
+    if (time.effective_us != std::uint64_t{time.asked_ms} * 1000) {
+        configuration.decisions.push_back({.kind = DecisionKind::quantised,
+                                           .device = device,
+                                           .parameter = number,
+                                           .pdo = pdo,
+                                           .time = time});
+    }
+    return time;
+}
+
+void resolve_buses(const parameter::Settings& settings, Configuration& configuration) {
+    configuration.governor_start_up_delay_ms = start_up_delay_ms(settings.governor, governor::start_up_delay);
+    configuration.gateway_start_up_delay_ms = start_up_delay_ms(settings.gateway, gateway::start_up_delay);
+    configuration.governor_can = bus_timing(settings.governor, governor::manual_timing, governor::bit_rate,
+                                            governor::prescaler, false);
+    configuration.can1 = bus_timing(settings.gateway, gateway::hzm_manual_timing, gateway::hzm_bit_rate,
+                                    gateway::hzm_prescaler, true);
+    configuration.can2 = bus_timing(settings.gateway, gateway::canopen_manual_timing,
+                                    gateway::canopen_bit_rate, gateway::canopen_prescaler, true);
+}
+
+void resolve_heartbeats(const parameter::Settings& settings, Configuration& configuration) {
+    using parameter::Device;
+    configuration.heartbeat_producer = resolve_time(settings, Device::gateway, gateway::heartbeat_producer,
+                                                    gateway_main_cycle_us, 0, configuration);
+    if (configuration.partner_node_id != 0) {  // D14: without a partner nothing is monitored
+        configuration.heartbeat_consumer = resolve_time(
+            settings, Device::gateway, gateway::heartbeat_consumer, gateway_main_cycle_us, 0, configuration);
+    }
+}
+
+}  // namespace cgw::config

@@ -37,6 +37,8 @@ struct Object {
     std::string name;
     object::ObjectCode code = object::ObjectCode::var;
     std::vector<Variable> variables;  // var: exactly one, sub-index 0; else ascending sub-indices from 0
+
+    const Variable* find(std::uint8_t sub_index) const;
 };
 
 // [FileInfo]; dates and times as the EDS prints them (mm-dd-yyyy, hh:mmAM).
@@ -73,9 +75,11 @@ struct DeviceInformation {
 struct Dictionary {
     FileInformation file;
     DeviceInformation device;
-    std::vector<std::string> comments;           // [Comments]
-    std::vector<std::uint8_t> supported_dummies; // data type numbers with DummyUsage 1
-    std::vector<Object> objects;                 // ascending index
+    std::vector<std::string> comments;            // [Comments]
+    std::vector<std::uint8_t> supported_dummies;  // data type numbers with DummyUsage 1
+    std::vector<Object> objects;                  // ascending index
+
+    // nullptr when the dictionary has no such object or sub-index.
 
     const Object* find(std::uint16_t index) const;
     const Variable* find(std::uint16_t index, std::uint8_t sub_index) const;

@@ -21,16 +21,16 @@ struct Plant {
     const config::Configuration& configuration;
     const dictionary::Dictionary& dictionary;
     std::array<std::uint8_t, 32> configuration_id{};
-    std::string configuration_id_text;             // first 8 bytes, 16 hexadecimal digits
+    std::string configuration_id_text;  // first 8 bytes, 16 hexadecimal digits
     std::array<std::uint16_t, 3> tool_version{};
-    std::string tool_version_text;                 // "0.1.0"
+    std::string tool_version_text;  // "0.1.0"
 };
 
 struct Options {
-    std::string format;                            // one of the emitter's formats; "" is its first
-    std::string section = ".cgw_config";           // image-source: linker section
-    unsigned alignment = 8;                        // image-source: bytes, a power of two
-    std::string symbol = "cgw_config_image";       // image-source: C identifier
+    std::string format;                       // one of the emitter's formats; "" is its first
+    std::string section = ".cgw_config";      // image-source: linker section
+    unsigned alignment = 8;                   // image-source: bytes, a power of two
+    std::string symbol = "cgw_config_image";  // image-source: C identifier
 };
 
 struct Format {
@@ -39,13 +39,16 @@ struct Format {
 };
 
 struct Emitter {
-    std::string_view name;       // "pdo-table"
+    std::string_view name;  // "pdo-table"
     std::string_view summary;
     std::span<const Format> formats;
     base::Bytes (*emit)(const Plant&, const Options&);
 };
 
 std::span<const Emitter> all_emitters();
-const Emitter* find_emitter(std::string_view name);
+const Emitter* find_emitter(std::string_view name);  // nullptr: there is none
+
+// The emitter's format of that name, its first for ""; nullptr when it has none of that name.
+const Format* find_format(const Emitter& emitter, std::string_view name);
 
 }  // namespace cgw::emit

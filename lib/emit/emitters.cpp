@@ -1,0 +1,41 @@
+#include <algorithm>
+
+#include "emit/artefacts.hpp"
+
+namespace cgw::emit {
+namespace {
+
+constexpr std::array eds_formats{Format{"eds", "CANopenGateway.eds"}};
+constexpr std::array image_formats{Format{"bin", "gateway-config.bin"}};
+constexpr std::array image_source_formats{Format{"cpp", ""}};
+
+template <typename Row>
+const Row* find_row(std::span<const Row> rows, std::string_view name) {
+    const auto found =
+        std::find_if(rows.begin(), rows.end(), [name](const Row& row) { return row.name == name; });
+    return found != rows.end() ? &*found : nullptr;
+}
+
+}  // namespace
+
+std::span<const Emitter> all_emitters() {
+    static const std::array emitters{
+        Emitter{"eds", "electronic data sheet of the configured gateway (CiA 306)", eds_formats, emit_eds},
+        Emitter{"pdo-table", "identifiers, cycle times and contents of the 20 PDOs", pdo_table_formats(),
+                emit_pdo_table},
+        Emitter{"image", "configuration image for the gateway runtime", image_formats, emit_image},
+        Emitter{"image-source", "the configuration image as C++ source", image_source_formats,
+                emit_image_source},
+    };
+    return emitters;
+}
+
+const Emitter* find_emitter(std::string_view name) {
+    return find_row(all_emitters(), name);
+}
+
+const Format* find_format(const Emitter& emitter, std::string_view name) {
+    return name.empty() ? &emitter.formats.front() : find_row(emitter.formats, name);
+}
+
+}  // namespace cgw::emit

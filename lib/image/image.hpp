@@ -19,18 +19,28 @@ enum class Status : std::uint8_t {
     too_large = 2,
     bad_magic = 3,
     unsupported_major = 4,
-    bad_header_size = 5,
-    size_mismatch = 6,       // total_size is not the number of bytes given
+    bad_header_size = 5,  // or reserved header bytes in use
+    size_mismatch = 6,    // total_size is not the number of bytes given
     bad_crc = 7,
-    bad_directory = 8,       // entries out of order, overlapping, outside, misaligned, wrong record size
+    bad_directory = 8,  // entries out of order, overlapping, outside, misaligned, wrong record size
     section_missing = 9,
-    bad_section = 10,        // a record holds a value no configuration can have
-    bad_object_table = 11,   // unsorted, unknown type, value outside the value block
-    bad_mapping = 12,        // a PDO maps an object that does not exist or has another length
+    bad_section = 10,       // a record holds a value no configuration can have
+    bad_object_table = 11,  // unsorted, unknown type, value outside the value block
+    bad_mapping = 12,       // a PDO maps an object that does not exist or has another length
     bad_label = 13,
 };
 
 std::string_view to_text(Status status);  // "the CRC-32 does not match", …
+
+// The raw records of one section, for tools that show bytes; `at` needs position < count().
+struct Records {
+    const std::uint8_t* data = nullptr;
+    std::uint32_t size = 0;         // bytes
+    std::uint16_t record_size = 1;  // at least the layout's; longer in a later minor
+
+    std::size_t count() const { return size / record_size; }
+    const std::uint8_t* at(std::size_t position) const { return data + position * record_size; }
+};
 
 struct Identity {
     std::uint32_t vendor = 0, product = 0, revision = 0, serial = 0;
@@ -112,7 +122,8 @@ struct Label {
     double external_maximum = 0;
 };
 
-// A view of a valid image; the bytes stay where they are and must outlive it.
+// A view of a valid image; the bytes stay where they are and must outlive it. Only an image that open()
+// filled may be asked anything.
 class Image {
   public:
     // Validates everything. On anything but ok, `image` is left untouched.
@@ -148,18 +159,14 @@ class Image {
     Label label(std::size_t position) const;
     bool find_label(std::uint16_t number, Label& label) const;
 
+    // Empty for an optional section that is not there.
+    const Records& records(SectionId id) const { return sections_[static_cast<std::size_t>(id)]; }
+
   private:
     friend class Verifier;
 
-    struct Section {
-        const std::uint8_t* data = nullptr;
-        std::uint32_t size = 0;
-        std::uint16_t record_size = 0;
-    };
-    const Section& section(SectionId id) const { return sections_[static_cast<std::size_t>(id)]; }
-
     std::span<const std::uint8_t> bytes_;
-    std::array<Section, 13> sections_{};  // by SectionId; [0] unused
+    std::array<Records, section_ids> sections_{};  // by SectionId; [0] unused
 };
 
 }  // namespace cgw::image

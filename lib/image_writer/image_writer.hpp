@@ -21,7 +21,8 @@ struct Source {
     bool labels = true;
 };
 
-// The settings must have passed every check.
+// The settings must have passed every check. What was written is verified by the reader before it is
+// handed out; an image that the reader refuses is a fault of this program: std::logic_error.
 base::Bytes write_image(const Source& source);
 
 }  // namespace cgw::image_writer

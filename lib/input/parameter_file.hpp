@@ -16,24 +16,27 @@ namespace cgw::input {
 
 inline constexpr int parameter_file_format = 1;
 
-// Supplies the text of a catalogue named in the file (path as in the file's `catalogue` list, resolved
-// by the caller relative to the file). This room opens no file itself.
+// Supplies the text of a catalogue named in the file. `name` is as in the file's `catalogue` list; the caller
+// resolves it relative to the file. This room opens no file itself.
 using CatalogueLoader = std::function<base::Result<std::string>(const std::string& name)>;
 
 struct ParameterFile {
     parameter::Settings settings;
     std::vector<std::string> catalogues;         // as named in the file
-    std::map<std::string, std::string> sources;  // their texts by name, for caret lines
+    std::map<std::string, std::string> sources;  // their texts, by the path that findings name
 };
 
 // Reads everything it can and reports every mistake; after an error `settings` is incomplete but safe to
-// check, so that one run shows all findings. `usable` is false when the text was not even TOML.
+// check, so that one run shows all findings. `usable` is false when nothing could be read: the text is not
+// TOML, or says that it is written in another format.
 struct ReadResult {
     ParameterFile file;
     bool usable = false;
 };
 
-ReadResult read_parameter_file(std::string_view text, const std::string& path, parameter::Catalogue& catalogue,
-                               const CatalogueLoader& load, diagnostic::Findings& findings);
+// `catalogue` holds the shipped rows; the rows of the file's catalogues and declarations are added to it.
+ReadResult read_parameter_file(std::string_view text, const std::string& path,
+                               parameter::Catalogue& catalogue, const CatalogueLoader& load,
+                               diagnostic::Findings& findings);
 
 }  // namespace cgw::input

@@ -37,15 +37,15 @@ ObjectEntry decode_object_record(const std::uint8_t* record) {
     return entry;
 }
 
-ObjectTable::ObjectTable(std::span<const std::uint8_t> records)
-    : records_(records.data()), count_(records.size() / object_record_size) {}
+ObjectTable::ObjectTable(std::span<const std::uint8_t> records, std::size_t record_size)
+    : records_(records.data()), record_size_(record_size), count_(records.size() / record_size) {}
 
 ObjectEntry ObjectTable::entry(std::size_t position) const {
-    return decode_object_record(records_ + position * object_record_size);
+    return decode_object_record(records_ + position * record_size_);
 }
 
 std::uint32_t ObjectTable::key_at(std::size_t position) const {
-    const std::uint8_t* record = records_ + position * object_record_size;
+    const std::uint8_t* record = records_ + position * record_size_;
     return key_of(wire::load_u16(record), record[2]);
 }
 

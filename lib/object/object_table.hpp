@@ -40,8 +40,9 @@ enum class Found : std::uint8_t { yes, no_object, no_sub_index };
 class ObjectTable {
   public:
     ObjectTable() = default;
-    // `records` holds whole, sorted records; bytes beyond the last whole one are ignored.
-    explicit ObjectTable(std::span<const std::uint8_t> records);
+    // `records` holds whole, sorted records; bytes beyond the last whole one are ignored. `record_size` is
+    // larger than object_record_size when a later image format lengthened the records at their end.
+    explicit ObjectTable(std::span<const std::uint8_t> records, std::size_t record_size = object_record_size);
 
     std::size_t size() const { return count_; }
     ObjectEntry entry(std::size_t position) const;  // position < size()
@@ -56,6 +57,7 @@ class ObjectTable {
     std::uint32_t key_at(std::size_t position) const;
 
     const std::uint8_t* records_ = nullptr;
+    std::size_t record_size_ = object_record_size;
     std::size_t count_ = 0;
 };
 

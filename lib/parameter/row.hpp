@@ -27,8 +27,8 @@ enum class Base : std::uint8_t { decimal, hexadecimal };
 struct Scaling {
     std::int32_t internal_minimum = 0;
     std::int32_t internal_maximum = 0;
-    std::optional<double> external_minimum;
-    std::optional<double> external_maximum;
+    std::optional<double> external_minimum{};
+    std::optional<double> external_maximum{};
     std::uint16_t external_minimum_parameter = 0;  // 0: the constant holds
     std::uint16_t external_maximum_parameter = 0;
 };
@@ -36,26 +36,26 @@ struct Scaling {
 struct Row {
     Device device = Device::governor;
     std::uint16_t number = 0;
-    std::string_view name;                       // canonical; "" where the manuals name none (D13)
-    std::span<const std::string_view> aliases;   // accepted without noise (D3)
-    std::span<const std::string_view> misprints; // accepted as "number name" or name, with a note (D2, D10)
+    std::string_view name{};                        // canonical; "" where the manuals name none (D13)
+    std::span<const std::string_view> aliases{};    // accepted without noise (D3)
+    std::span<const std::string_view> misprints{};  // "409 CanBaudrate": accepted with a note (D2, D10)
     List list = List::parameter;
     Role role = Role::none;
-    std::uint8_t level = 0;                      // user level 1..7; 0: not printed
-    std::optional<double> minimum;
-    std::optional<double> maximum;
-    std::span<const std::uint32_t> choices;      // exactly these values, when not empty (D6)
-    std::string_view unit;                       // "s", "ms", "kbit/s", "1/min", …; "" for none
-    Base base = Base::decimal;                   // as the manual prints values
-    bool decimal = false;                        // takes fractions; integers only otherwise
-    std::uint16_t array_first = 0;               // number of element (0); 0: not an array element
+    std::uint8_t level = 0;  // user level 1..7; 0: not printed
+    std::optional<double> minimum{};
+    std::optional<double> maximum{};
+    std::span<const std::uint32_t> choices{};  // exactly these values, when not empty (D6)
+    std::string_view unit{};                   // "s", "ms", "kbit/s", "1/min", …; "" for none
+    Base base = Base::decimal;                 // as the manual prints values
+    bool decimal = false;                      // takes fractions; integers only otherwise
+    std::uint16_t array_first = 0;             // number of element (0); 0: not an array element
     std::uint16_t array_size = 0;
-    std::uint16_t list_end = 0;                  // last number a list starting here may reach
-    std::uint8_t width = 0;                      // bits of a measurement: 1, 8, 16; 0: not known
+    std::uint16_t list_end = 0;  // last number a list starting here may reach
+    std::uint8_t width = 0;      // bits of a measurement: 1, 8, 16; 0: not known
     bool is_signed = false;
-    std::optional<Scaling> scaling;
-    std::string_view text;                       // one line, our own words
-    std::string_view section;                    // "GWM 7.2.4"
+    std::optional<Scaling> scaling{};
+    std::string_view text{};     // one line, our own words
+    std::string_view section{};  // "GWM 7.2.4"
 
     bool settable() const { return list != List::measurement; }
     bool is_bit() const { return width == 1; }
@@ -65,8 +65,9 @@ struct Row {
 // `16404 CanOpTPDO5-16ID(0)`, or the bare number of a row without a name.
 std::string label(const Row& row);
 
-// Engineering unit of `raw`, or nullopt when the relation is not known; `reference` supplies the value of
-// the parameters named by the scaling. A raw value is the word as the wire carries it, sign applied.
+// Raw value to engineering units along the line through (internal_minimum, external_minimum) and
+// (internal_maximum, external_maximum). `raw` is the word as the wire carries it, sign applied. The internal
+// limits must differ. See settings.hpp for the limits that hold in a given parameter set.
 double to_engineering(std::int32_t raw, std::int32_t internal_minimum, std::int32_t internal_maximum,
                       double external_minimum, double external_maximum);
 

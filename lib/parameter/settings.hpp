@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -17,11 +18,11 @@ namespace cgw::parameter {
 
 struct Assignment {
     const Row* row = nullptr;
-    double value = 0;              // engineering units, as typed
-    bool hexadecimal = false;      // typed as 0x…
-    std::string spelling;          // the key as written
-    diagnostic::Location key;
-    diagnostic::Location where;    // of the value
+    double value = 0;          // engineering units, as typed
+    bool hexadecimal = false;  // typed as 0x…
+    std::string spelling{};    // the key as written
+    diagnostic::Location key{};
+    diagnostic::Location where{};  // of the value
 };
 
 // The assigned parameters of one device; what is not assigned is 0 (off).
@@ -31,13 +32,29 @@ class ParameterSet {
     bool assign(Assignment assignment);
 
     const Assignment* find(std::uint16_t number) const;
-    double value(std::uint16_t number) const;          // 0 when not assigned
-    std::uint32_t integer(std::uint16_t number) const; // value() as an integer; 0 for a negative one
+    double value(std::uint16_t number) const;           // 0 when not assigned
+    std::uint32_t integer(std::uint16_t number) const;  // value() as an integer; 0 for a negative one
     const std::map<std::uint16_t, Assignment>& all() const { return assigned_; }
+
+    // The file means to set this number, but its name or value is wrong and a finding says so already:
+    // whoever looks for absent parameters stays silent about it.
+    void reject(std::uint16_t number) { rejected_.insert(number); }
+    bool rejected(std::uint16_t number) const { return rejected_.contains(number); }
 
   private:
     std::map<std::uint16_t, Assignment> assigned_;
+    std::set<std::uint16_t> rejected_;
 };
+
+// The engineering values that belong to the internal limits of a scaling.
+struct ExternalLimits {
+    double minimum = 0;
+    double maximum = 0;
+};
+
+// From the row's constants or from the reference parameters it names (978..995); nullopt when a limit is not
+// known: no scaling, a blank cell, a reference parameter that is not set, or limits that do not differ.
+std::optional<ExternalLimits> external_limits(const Row& row, const ParameterSet& references);
 
 struct Date {
     int year = 2004;
@@ -48,8 +65,8 @@ struct Date {
 };
 
 struct DocumentInformation {
-    std::optional<Date> created;
-    std::string author;
+    std::optional<Date> created{};
+    std::string author{};
     std::uint32_t revision = 0;  // 0..255: EDS FileRevision is an UNSIGNED8
 };
 
@@ -65,34 +82,49 @@ enum class ControllerFamily : std::uint8_t { mcp2515, at90can };
 struct BitTiming {
     std::uint32_t clock_hz = 0;
     ControllerFamily family = ControllerFamily::mcp2515;
-    diagnostic::Location where;
+    diagnostic::Location where{};
 };
 
 struct NetworkNode {
     std::uint8_t node_id = 0;
-    diagnostic::Location where;
+    diagnostic::Location where{};
 };
 
 struct Settings {
-    std::string path;
-    std::string title;
-    DocumentInformation document;
+    std::string path{};
+    std::string title{};
+    DocumentInformation document{};
     std::uint32_t main_cycle_us = 15625;  // governor main cycle (D8)
-    Identity identity;
-    std::optional<BitTiming> can1_bit_timing;
-    std::optional<BitTiming> can2_bit_timing;
-    std::vector<NetworkNode> network_nodes;
-    ParameterSet governor;
-    ParameterSet gateway;
-    diagnostic::Location governor_table;  // the [governor.parameters] header, for what is missing there
-    diagnostic::Location gateway_table;
-    std::vector<const Row*> declarations;  // [[governor.declare]], in the order of the file
+    Identity identity{};
+    std::optional<BitTiming> can1_bit_timing{};
+    std::optional<BitTiming> can2_bit_timing{};
+    std::vector<NetworkNode> network_nodes{};
+    ParameterSet governor{};
+    ParameterSet gateway{};
+    diagnostic::Location governor_table{};  // the [governor.parameters] header, for what is missing there
+    diagnostic::Location gateway_table{};
+    // Rows of [[governor.declare]] and of the file's own catalogues (Catalogue::added()): they decide width
+    // and sign of what is sent, so they belong to the configuration id.
+    std::vector<const Row*> declarations{};
 
     const ParameterSet& of(Device device) const { return device == Device::governor ? governor : gateway; }
 };
 
-// SHA-256 of the canonical model: format, title, identity, main cycle, declarations, and all values that
-// differ from 0, sorted by device and number. Independent of order, comments and spelling of the file.
+// The canonical model as text, one fact a line, each line ended by LF:
+//   cgw-configuration 1
+//   title "Genset 2"                               JSON string
+//   identity 12 407 12                             software version, serial date, serial number
+//   main-cycle-us 15625
+//   row governor 2990 "TorqueActual" measurement 16 signed "%" -32768..32767 -100..100
+//                                                  a declared row: list, role when it has one, width, sign,
+//                                                  unit, internal and external limits ("@980" is a reference
+//                                                  parameter,
+//                                                  "?" is blank); by device and number, each once
+//   governor 401 1                                 every value that is not 0, by device and number
+// Order, comments and spelling of the file do not matter; neither do author, date and texts.
+std::string canonical_text(const Settings& settings);
+
+// SHA-256 of the canonical text. It guards against accidents, not against tampering.
 std::array<std::uint8_t, 32> configuration_id(const Settings& settings);
 
 }  // namespace cgw::parameter

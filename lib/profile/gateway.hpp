@@ -20,6 +20,7 @@ struct GatewayDocument {
     std::string tool_version;      // "0.1.0"
 };
 
-dictionary::Dictionary gateway_dictionary(const config::Configuration& configuration, const GatewayDocument& document);
+dictionary::Dictionary gateway_dictionary(const config::Configuration& configuration,
+                                          const GatewayDocument& document);
 
 }  // namespace cgw::profile

@@ -2,6 +2,7 @@
 // The only room that includes toml11.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -26,10 +27,10 @@ struct Entry;
 
 struct Node {
     Kind kind = Kind::table;
-    diagnostic::Range range;     // of the value; of the [header] for a table opened by one
-    std::string text;            // string: its content; local_date: YYYY-MM-DD; numbers: as written
+    diagnostic::Range range;  // of the value; of the [header] for a table opened by one; {0, 0} for the root
+    std::string text;         // string: its content; local_date: YYYY-MM-DD; numbers: as written
     std::int64_t integer = 0;
-    double real = 0;             // also set for an integer
+    double real = 0;  // also set for an integer
     bool boolean = false;
     Notation notation = Notation::decimal;
     std::vector<Node> elements;  // array, in order
@@ -44,9 +45,12 @@ struct Entry {
     Node value;
 };
 
-// nullopt after at least one finding. One syntax error ends the reading (a property of the parser);
-// numbers out of range, over-deep nesting, a size over maximum_file_size and bytes that are not UTF-8
-// are findings of their own.
+// A key for messages: in backticks, control characters as '?', cut short when it is very long.
+std::string quoted(std::string_view key);
+
+// nullopt after at least one finding. One syntax error ends the reading; numbers out of range (all of them),
+// over-deep nesting, a size over maximum_file_size and bytes that are not UTF-8 are findings of their own.
+// A byte order mark is skipped and counts in the columns of the first line.
 std::optional<Node> parse(std::string_view text, const std::string& path, diagnostic::Findings& findings);
 
 }  // namespace cgw::toml

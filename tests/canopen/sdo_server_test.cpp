@@ -28,15 +28,18 @@ class SdoServerTest : public testing::Test {
 };
 
 TEST_F(SdoServerTest, uploads_four_bytes) {
-    EXPECT_EQ(answer({0x40, 0x00, 0x10, 0, 0, 0, 0, 0}), make_frame(0x585, {0x43, 0x00, 0x10, 0, 0x91, 0x01, 0, 0}));
+    EXPECT_EQ(answer({0x40, 0x00, 0x10, 0, 0, 0, 0, 0}),
+              make_frame(0x585, {0x43, 0x00, 0x10, 0, 0x91, 0x01, 0, 0}));
 }
 
 TEST_F(SdoServerTest, uploads_two_bytes_with_the_rest_zero) {
-    EXPECT_EQ(answer({0x40, 0x00, 0x20, 1, 9, 9, 9, 9}), make_frame(0x585, {0x4B, 0x00, 0x20, 1, 0xEF, 0xBE, 0, 0}));
+    EXPECT_EQ(answer({0x40, 0x00, 0x20, 1, 9, 9, 9, 9}),
+              make_frame(0x585, {0x4B, 0x00, 0x20, 1, 0xEF, 0xBE, 0, 0}));
 }
 
 TEST_F(SdoServerTest, uploads_one_byte_with_the_rest_zero) {
-    EXPECT_EQ(answer({0x40, 0x01, 0x10, 0, 0, 0, 0, 0}), make_frame(0x585, {0x4F, 0x01, 0x10, 0, 0x11, 0, 0, 0}));
+    EXPECT_EQ(answer({0x40, 0x01, 0x10, 0, 0, 0, 0, 0}),
+              make_frame(0x585, {0x4F, 0x01, 0x10, 0, 0x11, 0, 0, 0}));
 }
 
 TEST_F(SdoServerTest, refuses_a_missing_index) {
@@ -81,8 +84,7 @@ TEST_F(SdoServerTest, checks_a_write_in_the_order_length_then_access) {
         {{0x2E, 0x17, 0x10, 0, 1, 0, 0, 0}, 0x06010002},  // n without s means nothing
         {{0x20, 0x17, 0x10, 0, 9, 0, 0, 0}, 0x06010002},  // not expedited, no length stated
         {{0x21, 0x17, 0x10, 0, 2, 0, 0, 0}, 0x06010002},  // not expedited, length 2 in the data
-        {{0x21, 0x17, 0x10, 0, 1, 0, 0, 0}, 0x06070013},
-        {{0x21, 0x17, 0x10, 0, 0, 1, 0, 0}, 0x06070012},
+        {{0x21, 0x17, 0x10, 0, 1, 0, 0, 0}, 0x06070013}, {{0x21, 0x17, 0x10, 0, 0, 1, 0, 0}, 0x06070012},
         {{0x2B, 0x03, 0x20, 1, 1, 0, 0, 0}, 0x06010002},  // rww, yet read-only by SDO (D29)
     };
     const std::vector<std::uint8_t> before = table_.values;
@@ -96,7 +98,8 @@ TEST_F(SdoServerTest, checks_a_write_in_the_order_length_then_access) {
 }
 
 TEST_F(SdoServerTest, accepts_a_write_to_a_writable_object) {
-    EXPECT_EQ(answer({0x2B, 0x10, 0x20, 0, 0x34, 0x12, 0, 0}), make_frame(0x585, {0x60, 0x10, 0x20, 0, 0, 0, 0, 0}));
+    EXPECT_EQ(answer({0x2B, 0x10, 0x20, 0, 0x34, 0x12, 0, 0}),
+              make_frame(0x585, {0x60, 0x10, 0x20, 0, 0, 0, 0, 0}));
     EXPECT_EQ(table_.value(0x2010, 0), 0x1234U);
     EXPECT_EQ(table_.value(0x2011, 0), 5U);
 }

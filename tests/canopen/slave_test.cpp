@@ -30,9 +30,9 @@ class SlaveTest : public testing::Test {
         slave_.poll(now);
         port_.take();
     }
-    Kind command(NmtCommand nmt, std::uint8_t node = 5) { return slave_.receive(nmt_frame(nmt, node), 0).kind; }
+    Kind command(NmtCommand nmt, std::uint8_t node = 5) { return slave_.receive(nmt_frame(nmt, node)).kind; }
     std::vector<frame::Frame> upload() {
-        slave_.receive(make_frame(0x605, {0x40, 0x00, 0x10, 0, 0, 0, 0, 0}), 0);
+        slave_.receive(make_frame(0x605, {0x40, 0x00, 0x10, 0, 0, 0, 0, 0}));
         return port_.take();
     }
 
@@ -69,8 +69,8 @@ TEST_F(SlaveTest, shows_each_state_in_its_heartbeat) {
     slave_.poll(200'000);
     command(NmtCommand::enter_pre_operational);
     slave_.poll(300'000);
-    EXPECT_EQ(port_.take(), (std::vector{make_frame(0x705, {0x05}), make_frame(0x705, {0x04}),
-                                         make_frame(0x705, {0x7F})}));
+    EXPECT_EQ(port_.take(),
+              (std::vector{make_frame(0x705, {0x05}), make_frame(0x705, {0x04}), make_frame(0x705, {0x7F})}));
 }
 
 TEST_F(SlaveTest, obeys_broadcasts_and_no_command_for_another_node) {
@@ -131,12 +131,12 @@ TEST_F(SlaveTest, exchanges_pdos_in_operational_only) {
         command(away);
         slave_.request(0);
         slave_.request_if_changed(0);
-        EXPECT_EQ(slave_.receive(rpdo, 0).kind, Kind::none);
+        EXPECT_EQ(slave_.receive(rpdo).kind, Kind::none);
         slave_.poll(1);
         EXPECT_TRUE(port_.sent.empty());
     }
     command(NmtCommand::start);
-    EXPECT_EQ(slave_.receive(rpdo, 0).kind, Kind::pdo_received);
+    EXPECT_EQ(slave_.receive(rpdo).kind, Kind::pdo_received);
     slave_.request(0);
     slave_.poll(2);
     EXPECT_EQ(port_.take(), (std::vector{make_frame(0x185, {1, 2, 3, 4})}));

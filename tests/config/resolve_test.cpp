@@ -95,12 +95,12 @@ TEST(Resolve, takes_values_that_a_parameter_cannot_hold_as_not_set) {
     for (const double value : nonsense) {
         SCOPED_TRACE(value);
         PlantBuilder plant;
-        for (const std::uint16_t number :
+        for (const int number :
              {400, 401, 403, 416, 4416, 811, 4811, 900, 4900, 14401, 16400, 16460, 16480}) {
-            plant.governor(number, value);
+            plant.governor(static_cast<std::uint16_t>(number), value);
         }
-        for (const std::uint16_t number : {400, 401, 402, 416, 410, 426, 427, 428, 429, 430, 4426, 16404}) {
-            plant.gateway(number, value);
+        for (const int number : {400, 401, 402, 416, 410, 426, 427, 428, 429, 430, 4426, 16404}) {
+            plant.gateway(static_cast<std::uint16_t>(number), value);
         }
         plant.settings().main_cycle_us = 0;
         const Configuration configuration = plant.resolve();

@@ -43,7 +43,8 @@ TEST_F(MasterTest, says_so_when_the_port_takes_nothing) {
 TEST_F(MasterTest, sends_process_data_of_at_most_eight_bytes) {
     EXPECT_TRUE(master_.send_process_data(0x205, std::array<std::uint8_t, 2>{1, 2}));
     EXPECT_TRUE(master_.send_process_data(0x305, std::array<std::uint8_t, 9>{1, 2, 3, 4, 5, 6, 7, 8, 9}));
-    EXPECT_EQ(port_.take(), (std::vector{make_frame(0x205, {1, 2}), make_frame(0x305, {1, 2, 3, 4, 5, 6, 7, 8})}));
+    EXPECT_EQ(port_.take(),
+              (std::vector{make_frame(0x205, {1, 2}), make_frame(0x305, {1, 2, 3, 4, 5, 6, 7, 8})}));
 }
 
 TEST_F(MasterTest, hears_boot_up_and_heartbeats_of_every_node) {

@@ -14,7 +14,8 @@
 
 namespace cgw::test {
 
-// Every assigned value stands on a line of its own, in the order of the calls, in column 8.
+// Every assigned value stands on a line of its own, in the order of the calls, in column 8; a number
+// assigned again takes the new value and place.
 class PlantBuilder {
   public:
     PlantBuilder() {
@@ -33,6 +34,16 @@ class PlantBuilder {
         for (const double value : values) {
             governor(first++, value);
         }
+        return *this;
+    }
+    PlantBuilder& without(parameter::Device device, std::uint16_t number) {
+        remove(device, number);
+        return *this;
+    }
+    // As the input does when the file's value for the number is wrong and reported.
+    PlantBuilder& rejected(parameter::Device device, std::uint16_t number) {
+        remove(device, number);
+        set_of(device).reject(number);
         return *this;
     }
     PlantBuilder& network_node(std::uint8_t node_id) {
@@ -56,13 +67,27 @@ class PlantBuilder {
         return {.path = "plant.toml", .range = {.start = {line, 8}, .end = {line, 9}}};
     }
 
+    parameter::ParameterSet& set_of(parameter::Device device) {
+        return device == parameter::Device::governor ? settings_.governor : settings_.gateway;
+    }
+
+    void remove(parameter::Device device, std::uint16_t number) {
+        parameter::ParameterSet others;
+        for (const auto& [other, assignment] : set_of(device).all()) {
+            if (other != number) {
+                others.assign(assignment);
+            }
+        }
+        set_of(device) = others;
+    }
+
     PlantBuilder& assign(parameter::Device device, std::uint16_t number, double value) {
+        remove(device, number);
         parameter::Assignment assignment;
         assignment.row = catalogue_.find(device, number);
         assignment.value = value;
         assignment.where = place(++line_);
-        auto& set = device == parameter::Device::governor ? settings_.governor : settings_.gateway;
-        set.assign(std::move(assignment));
+        set_of(device).assign(std::move(assignment));
         return *this;
     }
 

@@ -56,7 +56,8 @@ TEST(TomlValues, the_ends_of_64_bits_are_read_exactly) {
 }
 
 TEST(TomlValues, decimal_numbers_infinities_and_nan_are_real) {
-    const Node document = parsed("a = 1.5\nb = -2e-2\nc = 6.26e+3_4\nd = -inf\ne = nan\nf = +0.0\ng = 1e06\n");
+    const Node document =
+        parsed("a = 1.5\nb = -2e-2\nc = 6.26e+3_4\nd = -inf\ne = nan\nf = +0.0\ng = 1e06\n");
     EXPECT_EQ(at(document, "a").kind, Kind::real);
     EXPECT_EQ(at(document, "a").text, "1.5");
     EXPECT_EQ(at(document, "a").real, 1.5);
@@ -110,7 +111,8 @@ TEST(TomlValues, entries_keep_the_order_of_the_file) {
 }
 
 TEST(TomlValues, keys_are_found_exactly) {
-    const Node document = parsed("\"16460 CanOpTPDO4-16Cyc(0)\" = 16\n'a.b' = 1\n\"\\u0061\" = 2\n\"\" = 3\n401 = 4\n");
+    const Node document =
+        parsed("\"16460 CanOpTPDO4-16Cyc(0)\" = 16\n'a.b' = 1\n\"\\u0061\" = 2\n\"\" = 3\n401 = 4\n");
     EXPECT_EQ(at(document, "16460 CanOpTPDO4-16Cyc(0)").integer, 16);
     EXPECT_EQ(at(document, "a.b").integer, 1);
     EXPECT_EQ(at(document, "a").integer, 2);
@@ -120,8 +122,9 @@ TEST(TomlValues, keys_are_found_exactly) {
 }
 
 TEST(TomlValues, dotted_keys_headers_and_inline_tables_build_the_same_tree) {
-    for (const char* text : {"a.b.c = 1\na.b.d = 2\n", "[a.b]\nc = 1\nd = 2\n", "a = { b = { c = 1, d = 2 } }\n",
-                             "[a]\nb = { c = 1, d = 2 }\n", "[ a . 'b' ]\nc=1\nd=2", "a . b.c = 1\na.\"b\".d = 2"}) {
+    for (const char* text :
+         {"a.b.c = 1\na.b.d = 2\n", "[a.b]\nc = 1\nd = 2\n", "a = { b = { c = 1, d = 2 } }\n",
+          "[a]\nb = { c = 1, d = 2 }\n", "[ a . 'b' ]\nc=1\nd=2", "a . b.c = 1\na.\"b\".d = 2"}) {
         const Node document = parsed(text);
         EXPECT_EQ(at(document, "a/b/c").integer, 1) << text;
         EXPECT_EQ(at(document, "a/b/d").integer, 2) << text;

@@ -18,7 +18,8 @@ std::string spans(const Node& table, std::string_view key) {
 }
 
 TEST(TomlSpans, a_key_is_found_left_of_its_value) {
-    const Node document = parsed("format = 1\n  \"16404 X(0)\"=\t0x282  # 'c' = \"no\"\n'd' = [1, 2]\ne=-1.5");
+    const Node document =
+        parsed("format = 1\n  \"16404 X(0)\"=\t0x282  # 'c' = \"no\"\n'd' = [1, 2]\ne=-1.5");
     EXPECT_EQ(spans(document, "format"), "1:1-1:7 1:10-1:11");
     EXPECT_EQ(spans(document, "16404 X(0)"), "2:3-2:15 2:17-2:22");
     EXPECT_EQ(spans(document, "d"), "3:1-3:4 3:7-3:13");
@@ -72,7 +73,8 @@ TEST(TomlSpans, multi_line_strings_do_not_shift_what_follows) {
 }
 
 TEST(TomlSpans, line_ends_may_be_crlf) {
-    const Node document = parsed("a = 1\r\n[t]\r\n# c\r\nb = [\r\n  2,\r\n]\r\nd = \"\"\"\r\nx\r\n\"\"\"\r\n");
+    const Node document =
+        parsed("a = 1\r\n[t]\r\n# c\r\nb = [\r\n  2,\r\n]\r\nd = \"\"\"\r\nx\r\n\"\"\"\r\n");
     EXPECT_EQ(spans(document, "a"), "1:1-1:2 1:5-1:6");
     EXPECT_EQ(spans(document, "t"), "2:2-2:3 2:1-2:4");
     EXPECT_EQ(spans(at(document, "t"), "b"), "4:1-4:2 4:5-6:2");
@@ -82,14 +84,17 @@ TEST(TomlSpans, line_ends_may_be_crlf) {
 }
 
 TEST(TomlSpans, columns_count_bytes) {
-    const Node document = parsed("\"\xC3\xA4\" = \"\xE2\x82\xAC\" # \xF0\x9F\x98\x80\n\tb\t=\t1\nc = [\"\xC3\xBC\", 2]\n");
+    const Node document =
+        parsed("\"\xC3\xA4\" = \"\xE2\x82\xAC\" # \xF0\x9F\x98\x80\n\tb\t=\t1\nc = [\"\xC3\xBC\", 2]\n");
     EXPECT_EQ(spans(document, "\xC3\xA4"), "1:1-1:5 1:8-1:13");
     EXPECT_EQ(spans(document, "b"), "2:2-2:3 2:6-2:7");
     EXPECT_EQ(show(at(document, "c/1").range), "3:12-3:13");
 }
 
 TEST(TomlSpans, a_byte_order_mark_counts_as_bytes_of_the_first_line) {
-    const Node document = parsed("\xEF\xBB\xBF" "a = 1\nb = 2\n");
+    const Node document = parsed(
+        "\xEF\xBB\xBF"
+        "a = 1\nb = 2\n");
     EXPECT_EQ(spans(document, "a"), "1:4-1:5 1:8-1:9");
     EXPECT_EQ(spans(document, "b"), "2:1-2:2 2:5-2:6");
 }

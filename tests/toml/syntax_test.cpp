@@ -68,20 +68,24 @@ TEST(TomlSyntax, mistakes_in_strings) {
     expect_findings({
         {"a = \"x\nb = 1\n", "E0004 1:5 the string is not closed on this line"},
         {"a = 'x", "E0004 1:5 the string is not closed on this line"},
-        {"a = \"x\\", "E0004 1:7 a backslash is followed by the end of the file, which is no escape sequence"},
+        {"a = \"x\\",
+         "E0004 1:7 a backslash is followed by the end of the file, which is no escape sequence"},
         {"a = \"C:\\dir\"\n", "E0004 1:8 a backslash is followed by 'd', which is no escape sequence"},
         {"a = \"\\uD800\"\n",
-         "E0004 1:6 the escape sequence does not name a character: 4 hexadecimal digits of a Unicode character are "
+         "E0004 1:6 the escape sequence does not name a character: 4 hexadecimal digits of a Unicode "
+         "character are "
          "needed"},
         {"a = \"\\U00110000\"\n",
-         "E0004 1:6 the escape sequence does not name a character: 8 hexadecimal digits of a Unicode character are "
+         "E0004 1:6 the escape sequence does not name a character: 8 hexadecimal digits of a Unicode "
+         "character are "
          "needed"},
         {"a = \"\\u12\"\n",
-         "E0004 1:6 the escape sequence does not name a character: 4 hexadecimal digits of a Unicode character are "
+         "E0004 1:6 the escape sequence does not name a character: 4 hexadecimal digits of a Unicode "
+         "character are "
          "needed"},
         {"x = 1\na = \"\"\"x\n\nb = 1\n", "E0004 2:5 the multi-line string that begins here is not closed"},
         {"a = '''x", "E0004 1:5 the multi-line string that begins here is not closed"},
-        {"a = \"\"\"x\"\"\"\"\"\"\n", "E0004 1:14 the string is not closed on this line"},
+        {"a = \"\"\"x\"\"\"\"\"\"\n", "E0004 1:14 expected the end of the line, found '\"'"},
     });
 }
 
@@ -114,19 +118,19 @@ TEST(TomlSyntax, mistakes_in_headers) {
 
 TEST(TomlSyntax, what_is_defined_twice) {
     expect_findings({
-        {"a = 1\nb = 2\na = 3\n", "E0004 3:1 'a' is defined twice"},
-        {"[a]\n[b]\n[a]\n", "E0004 3:1 'a' is defined twice"},
-        {"[a]\n[[a]]\n", "E0004 2:1 'a' is defined already and is no list of tables"},
-        {"[[a]]\n[a]\n", "E0004 2:1 'a' is defined twice"},
-        {"a = [1]\n[[a]]\n", "E0004 2:1 'a' is defined already and is no list of tables"},
-        {"a = {}\n[a.b]\n", "E0004 2:2 'a' has a value already and cannot be a table"},
-        {"a = {}\na.b = 1\n", "E0004 2:1 'a' is defined already and takes no more keys"},
-        {"a.b = 1\na.b.c = 1\n", "E0004 2:3 'b' is defined already and takes no more keys"},
-        {"a.b = 1\n[a]\n", "E0004 2:1 'a' is defined twice"},
-        {"a = {b = 1, b = 2}\n", "E0004 1:13 'b' is defined twice"},
-        {"[a.b.c]\n[a]\nb.d = 1\n", "E0004 3:1 'b' is defined already and takes no more keys"},
-        {"\"a\" = 1\na = 2\n", "E0004 2:1 'a' is defined twice"},
-        {"[a]\nb.c = 1\n[a.b]\n", "E0004 3:1 'a.b' is defined twice"},
+        {"a = 1\nb = 2\na = 3\n", "E0004 3:1 `a` is defined twice"},
+        {"[a]\n[b]\n[a]\n", "E0004 3:1 `a` is defined twice"},
+        {"[a]\n[[a]]\n", "E0004 2:1 `a` is defined already and is no list of tables"},
+        {"[[a]]\n[a]\n", "E0004 2:1 `a` is defined twice"},
+        {"a = [1]\n[[a]]\n", "E0004 2:1 `a` is defined already and is no list of tables"},
+        {"a = {}\n[a.b]\n", "E0004 2:2 `a` has a value already and cannot be a table"},
+        {"a = {}\na.b = 1\n", "E0004 2:1 `a` is defined already and takes no more keys"},
+        {"a.b = 1\na.b.c = 1\n", "E0004 2:3 `b` is defined already and takes no more keys"},
+        {"a.b = 1\n[a]\n", "E0004 2:1 `a` is defined twice"},
+        {"a = {b = 1, b = 2}\n", "E0004 1:13 `b` is defined twice"},
+        {"[a.b.c]\n[a]\nb.d = 1\n", "E0004 3:1 `b` is defined already and takes no more keys"},
+        {"\"a\" = 1\na = 2\n", "E0004 2:1 `a` is defined twice"},
+        {"[a]\nb.c = 1\n[a.b]\n", "E0004 3:1 `a.b` is defined twice"},
     });
 }
 
@@ -146,8 +150,8 @@ TEST(TomlSyntax, a_declaration_before_its_table_gets_advice) {
     ASSERT_EQ(findings.all().size(), 1U);
     const diagnostic::Diagnostic& finding = findings.all()[0];
     EXPECT_EQ(finding.rule, &diagnostic::rules::toml_syntax);
-    EXPECT_EQ(finding.message, "[governor] stands after a [[governor. ...]] that belongs to it");
-    EXPECT_EQ(finding.help, "move [governor] above it");
+    EXPECT_EQ(finding.message, "the table `governor` stands after a [[...]] that belongs to it");
+    EXPECT_EQ(finding.help, "move it above that [[...]]");
     EXPECT_EQ(test::show(finding.where.range), "3:1-3:11");
     ASSERT_EQ(finding.related.size(), 1U);
     EXPECT_EQ(test::show(finding.related[0].where.range), "1:1-1:21");
@@ -155,6 +159,12 @@ TEST(TomlSyntax, a_declaration_before_its_table_gets_advice) {
 
 TEST(TomlSyntax, a_declaration_may_stand_before_the_parameters) {
     EXPECT_EQ(findings_of("[[governor.declare]]\nnumber = 1\n[governor.parameters]\n401 = 1\n"), "fine");
+}
+
+TEST(TomlSyntax, keys_in_messages_are_short_and_printable) {
+    EXPECT_EQ(toml::quoted("a b"), "`a b`");
+    EXPECT_EQ(toml::quoted("a\x1B[31m\n"), "`a?[31m?`");
+    EXPECT_EQ(toml::quoted(std::string(79, 'x') + "\xC3\xA4y"), "`" + std::string(79, 'x') + "\xC3\xA4...`");
 }
 
 TEST(TomlSyntax, help_names_the_usual_cure) {

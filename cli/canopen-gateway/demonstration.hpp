@@ -1,0 +1,12 @@
+// What a CANopen master sees of the gateway, step by step.
+#pragma once
+
+#include "cli/canopen-gateway/session.hpp"
+
+namespace cgw::gateway_cli {
+
+// False: the gateway did not boot, or did not reach Operational; the lines say so. A duration that ends early
+// only ends the steps.
+bool demonstrate(Session& session);
+
+}  // namespace cgw::gateway_cli

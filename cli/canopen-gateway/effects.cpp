@@ -1,0 +1,218 @@
+#include "cli/canopen-gateway/effects.hpp"
+
+#include <fmt/format.h>
+
+#include <cstdlib>
+#include <map>
+
+#include "cli/canopen-gateway/display.hpp"
+#include "simulation/readings.hpp"
+#include "simulation/scaling.hpp"
+#include "wire/little_endian.hpp"
+
+namespace cgw::gateway_cli {
+namespace {
+
+constexpr Time settling = 2'000'000;  // after a change, until its effect is shown
+constexpr std::size_t transmit_pdos = 16;
+constexpr std::size_t first_rpdo = 16;
+constexpr int visible_change = 650;  // of a word's 65536 steps
+constexpr std::size_t most_changes_shown = 4;
+constexpr std::size_t name_width = 26;
+
+constexpr std::uint16_t load_enable_switch = 835;
+// What to change, the most telling first.
+constexpr std::uint16_t telling_sensors[] = {900, 901, 917, 906};
+constexpr std::uint16_t telling_switches[] = {827, 835, 811};
+
+using Words = std::map<std::uint16_t, std::uint16_t>;  // parameter to word, of all transmit PDOs received
+
+Words words_of(Session& session) {
+    Words words;
+    for (std::size_t position = 0; position < transmit_pdos; ++position) {
+        const image::Pdo pdo = session.image().pdo(position);
+        const auto received = pdo.active ? session.node().received(pdo.cob_id) : std::nullopt;
+        for (std::size_t word = 0; received && word < pdo.word_count; ++word) {
+            if (pdo.mapping[word].parameter != 0) {
+                words[pdo.mapping[word].parameter] = wire::load_u16(&received->last.data[2 * word]);
+            }
+        }
+    }
+    return words;
+}
+
+// Words that carry no parameter are TPDO1..3's (D20, D21).
+std::string binary_name(const image::MappedObject& mapped) {
+    constexpr unsigned bits = 16;
+    const unsigned first = 3000 + bits * (mapped.sub_index - 1U);
+    const bool errors = mapped.sub_index <= device::error_words;
+    return fmt::format("{:04X}h:{} {}", mapped.index, mapped.sub_index,
+                       errors ? fmt::format("errors {}..{}", first, first + bits - 1) : "engine state");
+}
+
+void show_words(Session& session, const image::Pdo& pdo, const frame::Frame& frame) {
+    for (std::size_t word = 0; word < pdo.word_count; ++word) {
+        const std::uint16_t value = wire::load_u16(&frame.data[2 * word]);
+        const image::MappedObject& mapped = pdo.mapping[word];
+        const bool measured = mapped.parameter != 0;
+        const std::string name =
+            measured ? parameter_text(session.image(), mapped.parameter) : binary_name(mapped);
+        session.detail(fmt::format(
+            "  {:<{}} {:>18}", clipped(name, name_width), name_width,
+            measured ? value_text(session.image(), mapped.parameter, value) : fmt::format("{:04X}h", value)));
+    }
+}
+
+void show_changes(Session& session, const Words& before) {
+    std::size_t shown = 0;
+    for (const auto& [number, word] : words_of(session)) {
+        const auto old = before.find(number);
+        if (old == before.end() || shown == most_changes_shown) {
+            continue;
+        }
+        if (std::abs(static_cast<std::int16_t>(word - old->second)) >= visible_change) {
+            session.detail(fmt::format("  {:<{}} {:>18} -> {}",
+                                       clipped(parameter_text(session.image(), number), name_width),
+                                       name_width, value_text(session.image(), number, old->second),
+                                       value_text(session.image(), number, word)));
+            ++shown;
+        }
+    }
+    if (shown == 0) {
+        session.detail("  no word of a transmit PDO shows it");
+    }
+}
+
+bool find_sensor(const image::Image& image, image::Sensor& sensor) {
+    for (const std::uint16_t number : telling_sensors) {
+        for (std::size_t i = 0; i < image.sensor_count(); ++i) {
+            sensor = image.sensor(i);
+            if (sensor.number == number) {
+                return true;
+            }
+        }
+    }
+    if (image.sensor_count() != 0) {
+        sensor = image.sensor(0);
+    }
+    return image.sensor_count() != 0;
+}
+
+bool find_switch(const image::Image& image, image::SwitchFunction& function) {
+    for (const std::uint16_t number : telling_switches) {
+        for (std::size_t i = 0; i < image.switch_count(); ++i) {
+            function = image.switch_function(i);
+            if (function.number == number) {
+                return true;
+            }
+        }
+    }
+    if (image.switch_count() != 0) {
+        function = image.switch_function(0);
+    }
+    return image.switch_count() != 0;
+}
+
+std::uint16_t& output_of(Session& session, const image::Sensor& sensor) {
+    const std::size_t channel = sensor.channel - 1U;
+    return session.outputs()[1 + channel / device::words_per_pdo][channel % device::words_per_pdo];
+}
+
+// Sends the changed outputs, lets the plant follow, and shows what followed.
+void follow(Session& session) {
+    const Words before = words_of(session);
+    session.send_outputs();
+    session.run_for(settling);
+    show_changes(session, before);
+}
+
+void change_sensor(Session& session, const image::Sensor& sensor) {
+    const image::Image& image = session.image();
+    const simulation::Scale scale = simulation::scale_of(image, sensor.number, 0, 100);
+    std::uint16_t& word = output_of(session, sensor);
+    const std::uint16_t old = word;
+    const double span = scale.external_maximum - scale.external_minimum;
+    const double part = (scale.to_engineering(old) - scale.external_minimum) / span;
+    word = scale.to_word(scale.external_minimum + span * (part > 0.85 ? part - 0.15 : part + 0.15));
+    const image::Pdo pdo = image.pdo(first_rpdo + 1 + (sensor.channel - 1U) / device::words_per_pdo);
+    session.say(fmt::format("{} {:03X}h changes {}", pdo_text(pdo), pdo.cob_id,
+                            parameter_text(image, sensor.number)));
+    session.detail(fmt::format("  from {} to {}; then", value_text(image, sensor.number, old),
+                               value_text(image, sensor.number, word)));
+    follow(session);
+}
+
+void toggle_switch(Session& session, const image::SwitchFunction& function) {
+    std::uint16_t& word = session.outputs()[0][0];
+    const auto mask = static_cast<std::uint16_t>(1U << (function.bit - 1U));
+    word = static_cast<std::uint16_t>(word ^ mask);
+    const bool active = ((word & mask) != 0) != function.low_active;
+    session.say(fmt::format("RPDO1 {:03X}h switches {} {}, bit {} is {}",
+                            session.image().pdo(first_rpdo).cob_id,
+                            parameter_text(session.image(), function.number), active ? "on" : "off",
+                            function.bit, (word & mask) != 0 ? 1 : 0));
+    follow(session);
+}
+
+}  // namespace
+
+void show_transmit_pdos(Session& session) {
+    std::size_t active = 0;
+    for (std::size_t position = 0; position < transmit_pdos; ++position) {
+        const image::Pdo pdo = session.image().pdo(position);
+        if (!pdo.active) {
+            continue;
+        }
+        ++active;
+        const auto received = session.node().received(pdo.cob_id);
+        const std::string rhythm =
+            pdo.cycles == 0 ? "on change"
+                            : fmt::format("every {:.3f} ms", static_cast<double>(pdo.effective_us) / 1000);
+        session.say(fmt::format("{} {:03X}h {}, {} received", pdo_text(pdo), pdo.cob_id, rhythm,
+                                received ? received->count : 0));
+        if (received) {
+            show_words(session, pdo, received->last);
+        }
+    }
+    if (active == 0) {
+        session.say("no transmit PDO is active in this configuration");
+    }
+}
+
+void set_healthy_outputs(Session& session) {
+    const image::Image& image = session.image();
+    for (std::size_t i = 0; i < image.switch_count(); ++i) {
+        const image::SwitchFunction function = image.switch_function(i);
+        const bool on = function.number == load_enable_switch;
+        if (on != function.low_active) {
+            std::uint16_t& word = session.outputs()[0][0];
+            word = static_cast<std::uint16_t>(word | 1U << (function.bit - 1U));
+        }
+    }
+    simulation::EngineState rated;
+    rated.load = 60;
+    rated.power = 60;
+    for (std::size_t i = 0; i < image.sensor_count(); ++i) {
+        const image::Sensor sensor = image.sensor(i);
+        output_of(session, sensor) = simulation::sensor_word(image, sensor.number, rated, 0);
+    }
+    session.send_outputs();
+}
+
+void show_effects(Session& session) {
+    image::Sensor sensor;
+    image::SwitchFunction function;
+    const bool has_sensor = find_sensor(session.image(), sensor);
+    const bool has_switch = find_switch(session.image(), function);
+    if (!has_sensor && !has_switch && !session.over()) {
+        session.say("no receive PDO is active in this configuration");
+    }
+    if (has_sensor && !session.over()) {
+        change_sensor(session, sensor);
+    }
+    if (has_switch && !session.over()) {
+        toggle_switch(session, function);
+    }
+}
+
+}  // namespace cgw::gateway_cli

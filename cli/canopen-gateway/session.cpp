@@ -1,0 +1,102 @@
+#include "cli/canopen-gateway/session.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "cli/canopen-gateway/display.hpp"
+#include "wire/little_endian.hpp"
+
+namespace cgw::gateway_cli {
+namespace {
+
+constexpr Time sdo_timeout = 500'000;
+constexpr Time output_period = 50'000;
+constexpr Time longest_step = 1'000;
+constexpr std::size_t first_rpdo = 16;  // position in the image's PDO table
+constexpr std::size_t transmit_pdos = 16;
+
+}  // namespace
+
+Session::Session(const image::Image& image, Time duration, std::ostream& out)
+    : image_(&image),
+      out_(&out),
+      end_(duration),
+      plant_(image),
+      node_(plant_.bus(), image.can2().own_node, sdo_timeout) {
+    plant_.bus().observe([this](const frame::Frame& frame, Time now) { log_.record(frame, now); });
+    for (std::size_t position = 0; position < transmit_pdos; ++position) {
+        const image::Pdo pdo = image.pdo(position);
+        if (pdo.active) {
+            master().subscribe(pdo.cob_id);
+        }
+    }
+}
+
+bool Session::run_for(Time time) {
+    const Time target = now() + time;
+    return run_until([this, target] { return now() >= target; }, time) && !over();
+}
+
+bool Session::run_until(const std::function<bool()>& reached, Time at_most) {
+    const Time target = std::min(end_, now() + at_most);
+    while (!reached()) {
+        if (now() >= target) {
+            return false;
+        }
+        if (sending_ && now() >= next_outputs_) {
+            send_outputs();
+        }
+        plant_.bus().run_until(std::min(target, now() + longest_step));
+    }
+    return true;
+}
+
+void Session::say(std::string_view text) {
+    const auto milliseconds = now() / 1000;
+    *out_ << clipped(fmt::format("{:4}.{:03} s  {}", milliseconds / 1000, milliseconds % 1000, text),
+                     line_width)
+          << '\n';
+}
+
+void Session::detail(std::string_view text) {
+    *out_ << clipped(fmt::format("            {}", text), line_width) << '\n';
+}
+
+std::optional<Session::Transfer> Session::upload(std::uint16_t index, std::uint8_t sub_index) {
+    master().sdo().upload({index, sub_index});
+    return finish_transfer();
+}
+
+std::optional<Session::Transfer> Session::download(std::uint16_t index, std::uint8_t sub_index,
+                                                   std::uint32_t value, std::uint8_t length) {
+    master().sdo().download({index, sub_index}, value, length);
+    return finish_transfer();
+}
+
+std::optional<Session::Transfer> Session::finish_transfer() {
+    using Status = canopen::SdoClient::Status;
+    const canopen::SdoClient& sdo = master().sdo();
+    if (!run_until([&sdo] { return sdo.status() != Status::busy; }, 2 * sdo_timeout)) {
+        return std::nullopt;
+    }
+    return Transfer{static_cast<std::uint32_t>(sdo.abort_code()), sdo.value(), sdo.length()};
+}
+
+void Session::send_outputs() {
+    for (std::size_t rpdo = 0; rpdo < outputs_.size(); ++rpdo) {
+        const image::Pdo pdo = image_->pdo(first_rpdo + rpdo);
+        if (!pdo.active) {
+            continue;
+        }
+        std::array<std::uint8_t, 8> data{};
+        for (std::size_t word = 0; word < pdo.word_count; ++word) {
+            wire::store_u16(&data[2 * word], outputs_[rpdo][word]);
+        }
+        master().send_process_data(pdo.cob_id, std::span(data).first(2U * pdo.word_count));
+    }
+    sending_ = true;
+    next_outputs_ = now() + output_period;
+}
+
+}  // namespace cgw::gateway_cli

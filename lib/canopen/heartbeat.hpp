@@ -1,0 +1,38 @@
+// Boot-up message and heartbeat producer. The first heartbeat follows one period after the boot-up message
+// really left; a frame the port did not take is offered again, with the state of that moment.
+#pragma once
+
+#include "canopen/protocol.hpp"
+#include "frame/frame.hpp"
+
+namespace cgw::canopen {
+
+class HeartbeatProducer {
+  public:
+    HeartbeatProducer() = default;
+    // `period` in microseconds, 0: boot-up only.
+    HeartbeatProducer(std::uint8_t node_id, Time period) : node_id_(node_id), period_(period) {}
+
+    void boot_up();  // the boot-up message is to be sent, exactly once
+    void silence();  // nothing more until the next boot-up
+
+    // Something is due that the port has not taken yet.
+    bool pending() const { return boot_up_pending_ || refused_; }
+
+    // Sends what is due. False: the port did not take it.
+    bool send_due(NmtState state, Time now, frame::FramePort& port);
+
+    // When time alone will make a heartbeat due.
+    Time deadline() const { return refused_ ? never : deadline_; }
+
+  private:
+    void advance(Time now);
+
+    std::uint8_t node_id_ = 0;
+    bool boot_up_pending_ = false;
+    bool refused_ = false;
+    Time period_ = 0;
+    Time deadline_ = never;
+};
+
+}  // namespace cgw::canopen

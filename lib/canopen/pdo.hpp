@@ -1,0 +1,92 @@
+// The PDO engine: mapped values to frames and back, over tables resolved once at start. When to send is the
+// device's business; that nothing is lost between the wish and the wire is this file's.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+
+#include "frame/frame.hpp"
+
+namespace cgw::canopen {
+
+// A mapped value: where it stands in the value block, or a dummy (0006h) that only takes up room.
+struct MappedValue {
+    std::uint16_t offset = 0;  // bytes
+    std::uint8_t length = 0;   // bytes
+    bool dummy = false;
+};
+
+// One row of a PDO table. The mapping's lengths add up to `length`; 0: the PDO is not active.
+struct PdoRow {
+    std::uint16_t cob_id = 0;
+    std::uint8_t length = 0;  // bytes, 0..8
+    std::span<const MappedValue> mapping;
+};
+
+struct TransmitState {
+    bool pending = false;
+    std::array<std::uint8_t, 8> last_sent{};
+};
+
+class PdoTransmitter {
+  public:
+    struct Counters {
+        std::uint32_t sent = 0;
+        std::uint32_t deferred = 0;    // times the port said "not now"
+        std::uint32_t superseded = 0;  // requested again while still waiting: one frame with the newest data
+    };
+
+    PdoTransmitter() = default;
+    // One state per row; rows, states and values outlive the transmitter.
+    PdoTransmitter(std::span<const PdoRow> rows, std::span<TransmitState> states,
+                   std::span<const std::uint8_t> values);
+
+    void request(std::size_t position);
+    // Requests when the data differ from what was last really sent.
+    void request_if_changed(std::size_t position);
+    // Leaving Operational: what waits is not sent any more.
+    void cancel();
+
+    // Sends what waits, with the values of this moment. False: the port did not take all of it. The next call
+    // goes on where this one stopped, so that a slow port starves no PDO.
+    bool send_pending(frame::FramePort& port);
+
+    bool pending() const { return waiting_ != 0; }
+    const Counters& counters() const { return counters_; }
+
+  private:
+    frame::Frame build(std::size_t position) const;
+
+    std::span<const PdoRow> rows_;
+    std::span<TransmitState> states_;
+    std::span<const std::uint8_t> values_;
+    std::size_t next_ = 0;
+    std::size_t waiting_ = 0;
+    Counters counters_;
+};
+
+class PdoReceiver {
+  public:
+    struct Counters {
+        std::uint32_t received = 0;
+        std::uint32_t too_short = 0;  // shorter than mapped: not processed (D28)
+    };
+
+    PdoReceiver() = default;
+    PdoReceiver(std::span<const PdoRow> rows, std::span<std::uint8_t> values);
+
+    // Position of the row whose values were taken from the frame. Nothing when it is no receive PDO of ours,
+    // or too short (D28); a longer one gives its first bytes.
+    std::optional<std::size_t> receive(const frame::Frame& frame);
+
+    const Counters& counters() const { return counters_; }
+
+  private:
+    std::span<const PdoRow> rows_;
+    std::span<std::uint8_t> values_;
+    Counters counters_;
+};
+
+}  // namespace cgw::canopen

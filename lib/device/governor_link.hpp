@@ -1,0 +1,41 @@
+// Everything governor and gateway say to each other (D56). What travels underneath, memory or telegrams on
+// CAN1, is nobody else's business.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+namespace cgw::device {
+
+// The five states of the manual's chapter 3 (D50).
+enum class GatewayState : std::uint8_t { undefined, init, pre_operational, operational, stopped };
+
+// Governor to gateway: commands of the state machine (manual, chapter 3).
+enum class GovernorCommand : std::uint8_t { undefined, init, pre_operational };
+
+inline constexpr std::size_t words_per_pdo = 4;
+inline constexpr std::size_t error_words = 6;  // 96 error bits, 2000h:1..6
+inline constexpr std::size_t first_analogue_tpdo = 4;
+inline constexpr std::size_t analogue_tpdos = 13;  // TPDO4..16
+
+using PdoWords = std::array<std::uint16_t, words_per_pdo>;
+
+// Governor to gateway: what one main cycle of the governor delivers, as one consistent whole.
+struct GovernorData {
+    std::array<PdoWords, analogue_tpdos> analogue{};  // [TPDO - 4], words as sent, unused ones anything
+    std::array<std::uint16_t, error_words> errors{};  // bit b of word w is error 3000 + 16 w + b (D21)
+    std::uint16_t engine_state = 0;                   // 2000h:7, low byte (D22)
+};
+
+// Gateway to governor. Neither call may call back into the gateway.
+class GovernorLink {
+  public:
+    virtual void state_changed(GatewayState state) = 0;
+    // A receive PDO, 1..4, by word; words it does not carry, dummies included, are 0.
+    virtual void process_data(std::uint8_t rpdo, const PdoWords& words) = 0;
+
+  protected:
+    ~GovernorLink() = default;
+};
+
+}  // namespace cgw::device

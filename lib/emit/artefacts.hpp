@@ -1,0 +1,16 @@
+// Inside the emit room: the functions behind the emitter table. Options are those of emitter.hpp; a format
+// the emitter does not have is taken for its first.
+#pragma once
+
+#include "emit/emitter.hpp"
+
+namespace cgw::emit {
+
+base::Bytes emit_eds(const Plant& plant, const Options& options);
+base::Bytes emit_pdo_table(const Plant& plant, const Options& options);
+base::Bytes emit_image(const Plant& plant, const Options& options);
+base::Bytes emit_image_source(const Plant& plant, const Options& options);
+
+std::span<const Format> pdo_table_formats();
+
+}  // namespace cgw::emit

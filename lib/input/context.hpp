@@ -1,0 +1,43 @@
+// What the readers of the file's tables share.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "input/parameter_file.hpp"
+#include "toml/document.hpp"
+
+namespace cgw::input {
+
+// Tables that are read last, when the catalogue is complete. More than one of a kind only where a table
+// stands twice, once under a misspelt name.
+struct Postponed {
+    const toml::Entry* catalogues = nullptr;
+    std::vector<const toml::Entry*> declarations;
+    std::vector<const toml::Entry*> governor_parameters;
+    std::vector<const toml::Entry*> gateway_parameters;
+};
+
+struct Context {
+    const std::string& path;
+    parameter::Catalogue& catalogue;
+    diagnostic::Findings& findings;
+    ParameterFile& file;
+    Postponed postponed{};
+
+    parameter::Settings& settings() { return file.settings; }
+    diagnostic::Location at(const diagnostic::Range& range) const { return {path, range}; }
+
+    void report(const diagnostic::Rule& rule, const diagnostic::Range& where, std::string message,
+                std::string help = {}) {
+        findings.report({&rule, std::move(message), at(where), {}, std::move(help)});
+    }
+};
+
+// "did you mean `x`?", or empty when no candidate is near.
+std::string did_you_mean(std::string_view text, std::span<const std::string_view> candidates);
+
+}  // namespace cgw::input

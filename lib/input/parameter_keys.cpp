@@ -1,0 +1,182 @@
+#include "input/parameter_keys.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "base/edit_distance.hpp"
+#include "base/numbers.hpp"
+
+namespace cgw::input {
+
+namespace rules = diagnostic::rules;
+using parameter::Catalogue;
+using parameter::Device;
+using parameter::Row;
+
+namespace {
+
+Device other_device(Device device) {
+    return device == Device::governor ? Device::gateway : Device::governor;
+}
+
+parameter::ParameterSet& set_of(Context& context, Device device) {
+    return device == Device::governor ? context.settings().governor : context.settings().gateway;
+}
+
+const Row* row_of(const Catalogue& catalogue, Device device, const Spelling& spelling) {
+    if (spelling.number_text.empty()) {
+        return catalogue.find(device, spelling.name);
+    }
+    if (!spelling.number) {
+        return nullptr;
+    }
+    const Row* by_number = catalogue.find(device, *spelling.number);
+    if (spelling.name.empty() && by_number != nullptr) {
+        return by_number;
+    }
+    if (!spelling.name.empty() && by_number != nullptr) {
+        const Row* by_name = catalogue.find(device, spelling.name);
+        // A row without a name takes any name that is nobody else's: only its governor knows better (D13).
+        if (by_name == by_number || (by_name == nullptr && by_number->name.empty())) {
+            return by_number;
+        }
+    }
+    return catalogue.find_misprint(device, *spelling.number, spelling.name);
+}
+
+// What was probably meant is not reported as missing too: one slip, one finding.
+void reject_array(parameter::ParameterSet& set, const Row& row) {
+    const std::uint16_t first = row.array_size == 0 ? row.number : row.array_first;
+    const int count = std::max<int>(row.array_size, 1);
+    for (int i = 0; i < count; ++i) {
+        set.reject(static_cast<std::uint16_t>(first + i));
+    }
+}
+
+// A bare number that is one digit away from others.
+void reject_neighbours(const Catalogue& catalogue, Device device, parameter::ParameterSet& set,
+                       std::string_view number) {
+    for (const Row* row : catalogue.rows(device)) {
+        if (row->settable() && base::edit_distance(number, fmt::format("{}", row->number)) == 1) {
+            set.reject(row->number);
+        }
+    }
+}
+
+}  // namespace
+
+Spelling take_apart(std::string_view key) {
+    constexpr std::string_view blanks = " \t";
+    const auto trimmed = [&](std::string_view text) {
+        const std::size_t first = std::min(text.find_first_not_of(blanks), text.size());
+        const std::size_t last = text.find_last_not_of(blanks);
+        return first == text.size() ? std::string_view{} : text.substr(first, last + 1 - first);
+    };
+    Spelling spelling;
+    key = trimmed(key);
+    const std::size_t digits = std::min(key.find_first_not_of("0123456789"), key.size());
+    const bool has_number = digits > 0 && (digits == key.size() || blanks.find(key[digits]) != blanks.npos);
+    if (!has_number) {
+        spelling.name = key;
+        return spelling;
+    }
+    spelling.number_text = key.substr(0, digits);
+    spelling.name = trimmed(key.substr(digits));
+    const auto number = base::parse_integer(spelling.number_text);
+    const bool has_leading_zero = digits > 1 && key.front() == '0';
+    if (number && *number <= std::numeric_limits<std::uint16_t>::max() && !has_leading_zero) {
+        spelling.number = static_cast<std::uint16_t>(*number);
+    }
+    return spelling;
+}
+
+const Row* resolve_silently(const Catalogue& catalogue, Device device, std::string_view key) {
+    return row_of(catalogue, device, take_apart(key));
+}
+
+const Row* KeyResolver::resolve(const toml::Entry& entry) {
+    const Spelling spelling = take_apart(entry.key);
+    if (const Row* row = row_of(context_.catalogue, device_, spelling)) {
+        return row;
+    }
+    const bool has_both = spelling.number && !spelling.name.empty();
+    const bool knows_one = has_both && (context_.catalogue.find(device_, *spelling.number) != nullptr ||
+                                        context_.catalogue.find(device_, spelling.name) != nullptr);
+    if (knows_one) {
+        report_mismatch(entry, spelling);
+    } else {
+        report_unknown(entry, spelling);
+    }
+    return nullptr;
+}
+
+void KeyResolver::report_mismatch(const toml::Entry& entry, const Spelling& spelling) {
+    const Row* by_number = context_.catalogue.find(device_, *spelling.number);
+    const Row* by_name = context_.catalogue.find(device_, spelling.name);
+    std::string number_says =
+        fmt::format("the {} has no parameter {}", parameter::to_text(device_), *spelling.number);
+    if (by_number != nullptr) {
+        number_says = fmt::format("{} is {}", by_number->number,
+                                  by_number->name.empty() ? "another parameter" : by_number->name);
+    }
+    const std::string name_says = by_name == nullptr
+                                      ? fmt::format("no parameter is named {}", toml::quoted(spelling.name))
+                                      : fmt::format("{} is {}", by_name->name, by_name->number);
+    std::string help;
+    if (by_name == nullptr) {
+        help = fmt::format("write \"{}\"", parameter::label(*by_number));
+    } else if (by_number == nullptr) {
+        help = fmt::format("write \"{}\"", parameter::label(*by_name));
+    } else {
+        help = fmt::format(R"(write "{}" or "{}")", parameter::label(*by_number), parameter::label(*by_name));
+    }
+    context_.report(rules::parameter_name_mismatch, entry.key_range,
+                    fmt::format("{}, but {}", number_says, name_says), std::move(help));
+    for (const Row* row : {by_number, by_name}) {
+        if (row != nullptr) {
+            set_of(context_, device_).reject(row->number);
+        }
+    }
+}
+
+void KeyResolver::report_unknown(const toml::Entry& entry, const Spelling& spelling) {
+    context_.report(
+        rules::parameter_unknown, entry.key_range,
+        fmt::format("the {} has no parameter {}", parameter::to_text(device_), toml::quoted(entry.key)),
+        help_for_unknown(spelling));
+}
+
+const Row* KeyResolver::in_other_device(const Spelling& spelling) const {
+    return row_of(context_.catalogue, other_device(device_), spelling);
+}
+
+std::string KeyResolver::help_for_unknown(const Spelling& spelling) {
+    if (suggestions_left_ == 0) {
+        return {};
+    }
+    --suggestions_left_;
+    if (spelling.name.empty()) {
+        reject_neighbours(context_.catalogue, device_, set_of(context_, device_), spelling.number_text);
+    }
+    if (const Row* row = in_other_device(spelling)) {
+        set_of(context_, row->device).reject(row->number);
+        const std::string_view device = parameter::to_text(row->device);
+        return row->settable() ? fmt::format("{} belongs to the {}: write it in [{}.parameters]",
+                                             parameter::label(*row), device, device)
+                               : fmt::format("{} is a measurement of the {}", parameter::label(*row), device);
+    }
+    if (!spelling.name.empty()) {
+        if (names_.empty()) {
+            names_ = context_.catalogue.names(device_);
+        }
+        if (const std::string near = base::nearest_name(spelling.name, names_); !near.empty()) {
+            reject_array(set_of(context_, device_), *context_.catalogue.find(device_, near));
+            return fmt::format("did you mean `{}`?", near);
+        }
+    }
+    return "what the shipped catalogue does not know can be added by a file: catalogue = [\"...\"]";
+}
+
+}  // namespace cgw::input

@@ -1,0 +1,118 @@
+#include "media/candump.hpp"
+
+#include <fmt/format.h>
+
+#include <charconv>
+
+namespace cgw::media {
+namespace {
+
+constexpr std::uint64_t microseconds = 1'000'000;
+constexpr std::size_t standard_digits = 3;
+constexpr std::size_t extended_digits = 8;
+constexpr std::size_t fraction_digits = 6;
+constexpr std::uint32_t maximum_standard_id = 0x7FF;
+constexpr std::uint32_t maximum_extended_id = 0x1FFF'FFFF;
+
+// The whole of `text` as an unsigned number.
+template <typename Number>
+bool parse(std::string_view text, int base, Number& number) {
+    const char* const end = text.data() + text.size();
+    const auto [stop, error] = std::from_chars(text.data(), end, number, base);
+    return error == std::errc{} && stop == end && !text.empty();
+}
+
+// Cuts `text` at the first `separator`; what follows it stays in `text`.
+std::optional<std::string_view> cut(std::string_view& text, char separator) {
+    const std::size_t at = text.find(separator);
+    if (at == std::string_view::npos) {
+        return std::nullopt;
+    }
+    const std::string_view head = text.substr(0, at);
+    text.remove_prefix(at + 1);
+    return head;
+}
+
+bool parse_time(std::string_view text, std::uint64_t& time_us) {
+    const std::optional<std::string_view> seconds_text = cut(text, '.');
+    std::uint64_t seconds = 0;
+    std::uint64_t fraction = 0;
+    if (!seconds_text || !parse(*seconds_text, 10, seconds) || text.size() != fraction_digits ||
+        !parse(text, 10, fraction) || seconds > ~std::uint64_t{0} / microseconds - 1) {
+        return false;
+    }
+    time_us = seconds * microseconds + fraction;
+    return true;
+}
+
+bool parse_id(std::string_view text, frame::Frame& frame) {
+    frame.extended = text.size() == extended_digits;
+    const std::uint32_t maximum = frame.extended ? maximum_extended_id : maximum_standard_id;
+    return (frame.extended || text.size() == standard_digits) && parse(text, 16, frame.id) &&
+           frame.id <= maximum;
+}
+
+bool parse_data(std::string_view text, frame::Frame& frame) {
+    if (!text.empty() && text.front() == 'R') {
+        frame.remote = true;
+        text.remove_prefix(1);
+        return text.empty() || (text.size() == 1 && parse(text, 10, frame.length) && frame.length <= 8);
+    }
+    if (text.size() % 2 != 0 || text.size() > 2 * frame.data.size()) {
+        return false;
+    }
+    frame.length = static_cast<std::uint8_t>(text.size() / 2);
+    for (std::size_t i = 0; i < frame.length; ++i) {
+        if (!parse(text.substr(2 * i, 2), 16, frame.data[i])) {
+            return false;
+        }
+    }
+    return true;
+}
+
+}  // namespace
+
+std::string candump_line(const LoggedFrame& logged) {
+    const frame::Frame& frame = logged.frame;
+    std::string line = fmt::format("({:010}.{:06}) {} {:0{}X}#", logged.time_us / microseconds,
+                                   logged.time_us % microseconds, logged.interface_name, frame.id,
+                                   frame.extended ? extended_digits : standard_digits);
+    if (frame.remote) {
+        line += frame.length == 0 ? "R" : fmt::format("R{}", frame.length);
+        return line;
+    }
+    for (std::size_t i = 0; i < frame.length; ++i) {
+        line += fmt::format("{:02X}", frame.data[i]);
+    }
+    return line;
+}
+
+std::optional<LoggedFrame> parse_candump_line(std::string_view line) {
+    LoggedFrame logged;
+    if (line.empty() || line.front() != '(') {
+        return std::nullopt;
+    }
+    line.remove_prefix(1);
+    const std::optional<std::string_view> time = cut(line, ')');
+    if (!time || !parse_time(*time, logged.time_us) || line.empty() || line.front() != ' ') {
+        return std::nullopt;
+    }
+    line.remove_prefix(1);
+    const std::optional<std::string_view> interface_name = cut(line, ' ');
+    const std::optional<std::string_view> id = cut(line, '#');
+    if (!interface_name || interface_name->empty() || !id || !parse_id(*id, logged.frame) ||
+        !parse_data(line, logged.frame)) {
+        return std::nullopt;
+    }
+    logged.interface_name = *interface_name;
+    return logged;
+}
+
+void CandumpLog::record(const frame::Frame& frame, std::uint64_t time_us) {
+    const std::string line = candump_line({time_us, interface_name_, frame});
+    content_.insert(content_.end(), line.begin(), line.end());
+    content_.push_back('\n');
+    ++frames_;
+}
+
+}  // namespace cgw::media

@@ -1,0 +1,78 @@
+// A CAN bus inside one process, in simulated microseconds. The same participants give the same frames at the
+// same times, byte for byte.
+#pragma once
+
+#include <deque>
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "canopen/protocol.hpp"
+#include "frame/frame.hpp"
+
+namespace cgw::simulation {
+
+using canopen::Time;
+
+class Participant {
+  public:
+    // Called at every event on the bus and when its own deadline comes. Returns the next deadline, later than
+    // `now`, or never.
+    virtual Time poll(Time now) = 0;
+    // Frames of the others, at the moment their last bit is over.
+    virtual void receive(const frame::Frame& /*frame*/, Time /*now*/) {}
+
+  protected:
+    ~Participant() = default;
+};
+
+class Bus {
+  public:
+    using Observer = std::function<void(const frame::Frame&, Time)>;
+
+    // 125, 250, 500 or 1000 kbit/s, so that a bit lasts whole microseconds.
+    explicit Bus(unsigned bit_rate_kbit);
+
+    // A transceiver for `participant`; its port says "not now" while `queue_capacity` frames wait. A node's
+    // frames leave in the order they were sent; between nodes the lowest identifier wins.
+    frame::FramePort& attach(Participant& participant, std::size_t queue_capacity = 16);
+    // Something that only needs the clock.
+    void attach_clock(Participant& participant);
+    // Every frame, when it is over; observers are called in the order they came.
+    void observe(Observer observer) { observers_.push_back(std::move(observer)); }
+
+    // Runs through everything that happens up to and including `end`.
+    void run_until(Time end);
+
+    Time now() const { return now_; }
+    std::uint64_t frames() const { return frames_; }
+    Time busy_time() const { return busy_time_; }  // microseconds with a frame on the bus
+
+  private:
+    struct Node final : frame::FramePort {
+        Node(Participant& who, std::size_t capacity) : participant(&who), queue_capacity(capacity) {}
+        bool send(const frame::Frame& frame) override;
+
+        Participant* participant;
+        std::size_t queue_capacity;
+        std::deque<frame::Frame> queue;
+        Time deadline = 0;
+    };
+
+    void poll_all();
+    void start_frame();
+    void finish_frame();
+    Time next_event() const;
+
+    Time bit_time_;  // microseconds
+    Time now_ = 0;
+    std::vector<std::unique_ptr<Node>> nodes_;
+    std::vector<Observer> observers_;
+    Node* sender_ = nullptr;
+    frame::Frame on_wire_;
+    Time frame_end_ = 0;
+    std::uint64_t frames_ = 0;
+    Time busy_time_ = 0;
+};
+
+}  // namespace cgw::simulation

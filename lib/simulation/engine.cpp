@@ -1,0 +1,83 @@
+#include "simulation/engine.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace cgw::simulation {
+namespace {
+
+constexpr double longest_step = 0.01;   // seconds
+constexpr double longest_advance = 10;  // seconds; nothing changes visibly after that
+constexpr double start_delay = 0.1;     // seconds from power-up to cranking
+constexpr double setpoint_rate = 1200;  // 1/min per second
+constexpr double load_rate = 40;        // % per second
+constexpr double speed_lag = 0.15;      // seconds
+constexpr double speed_dip = 0.6;       // 1/min per % per second of load change
+constexpr double position_gain = 0.06;  // % per 1/min of deviation
+
+// First-order lag towards `target`.
+void approach(double& value, double target, double lag, double seconds) {
+    value += (target - value) * std::min(1.0, seconds / lag);
+}
+
+void ramp(double& value, double target, double rate, double seconds) {
+    value += std::clamp(target - value, -rate * seconds, rate * seconds);
+}
+
+}  // namespace
+
+bool EngineState::at_setpoint() const {
+    return running() && std::abs(speed - speed_setpoint) < 25;
+}
+
+void Engine::advance(double seconds, const EngineInputs& inputs) {
+    double left = std::min(seconds, longest_advance);
+    while (left > 0) {
+        const double now = std::min(left, longest_step);
+        step(now, inputs);
+        left -= now;
+    }
+}
+
+void Engine::step(double seconds, const EngineInputs& inputs) {
+    age_ += seconds;
+    state_.ambient = inputs.ambient;
+    step_speed(seconds, inputs);
+    step_media(seconds);
+}
+
+void Engine::step_speed(double seconds, const EngineInputs& inputs) {
+    if (age_ < start_delay) {
+        return;
+    }
+    const double wanted = inputs.idle_requested ? 0 : std::clamp(inputs.setpoint, 0.0, 100.0);
+    const double target = idle_speed + wanted / 100 * (maximum_speed - idle_speed);
+    ramp(state_.speed_setpoint, target, setpoint_rate, seconds);
+
+    const double load_before = state_.load;
+    const bool may_load = inputs.load_enabled && state_.running() && !inputs.idle_requested;
+    ramp(state_.load, may_load ? inputs.load : 0, load_rate, seconds);
+    const double load_change = (state_.load - load_before) / seconds;
+    approach(state_.speed, state_.speed_setpoint - speed_dip * load_change, speed_lag, seconds);
+
+    const double deviation = state_.speed_setpoint - state_.speed;
+    const double base = 6 + 9 * state_.speed / rated_speed + 0.65 * state_.load;
+    state_.position_setpoint = std::clamp(base + position_gain * deviation, 0.0, 100.0);
+    approach(state_.position, state_.position_setpoint, 0.05, seconds);
+    state_.power = std::clamp(state_.load * state_.speed / rated_speed, 0.0, 100.0);
+}
+
+void Engine::step_media(double seconds) {
+    const double speed = state_.speed / rated_speed;
+    const double load = state_.power / 100;
+    approach(state_.oil_pressure, state_.standing() ? 0 : 1.4 + 3.0 * speed, 0.5, seconds);
+    approach(state_.boost_pressure, 0.1 * speed + 1.7 * load, 0.7, seconds);
+    approach(state_.coolant_pressure, 0.2 + 1.3 * speed, 0.4, seconds);
+    approach(state_.coolant_temperature, 45 + 37 * std::min(1.0, speed) + 6 * load, 40, seconds);
+    approach(state_.oil_temperature, 40 + 48 * std::min(1.0, speed) + 8 * load, 60, seconds);
+    approach(state_.charge_air_temperature, 30 + 14 * state_.boost_pressure, 5, seconds);
+    approach(state_.fuel_temperature, 32 + 8 * load, 90, seconds);
+    approach(state_.exhaust_temperature, 40 + 150 * speed + 260 * load, 3, seconds);
+}
+
+}  // namespace cgw::simulation

@@ -1,0 +1,145 @@
+#include "simulation/governor.hpp"
+
+#include "simulation/readings.hpp"
+#include "simulation/scaling.hpp"
+
+namespace cgw::simulation {
+namespace {
+
+using device::GatewayState;
+using device::GovernorCommand;
+
+constexpr std::uint16_t idle_switch = 811;
+constexpr std::uint16_t setpoint_2_switch = 827;
+constexpr std::uint16_t load_enable_switch = 835;
+constexpr std::uint16_t setpoint_1_sensor = 900;
+constexpr std::uint16_t setpoint_2_sensor = 901;
+constexpr std::uint16_t ambient_sensor = 906;
+constexpr std::uint16_t load_sensor = 917;
+
+// What counts while no valid sensor value is there.
+constexpr double setpoint_1_substitute = 72.727;  // %: rated speed
+constexpr double setpoint_2_substitute = 50;
+constexpr double load_substitute = 60;
+constexpr double ambient_substitute = 1013;
+
+// The manuals print no bits of the engine state word (D22); these are the simulation's own.
+constexpr unsigned state_standing = 0x01;
+constexpr unsigned state_starting = 0x02;
+constexpr unsigned state_running = 0x04;
+constexpr unsigned state_at_setpoint = 0x08;
+constexpr unsigned state_loaded = 0x10;
+constexpr unsigned state_alarm = 0x80;
+
+constexpr std::uint16_t first_sensor = 900;
+// Sensor errors are reported from 3005 on (manual 9.6); here sensor 900 + k is error 3005 + k, bit 5 + k.
+constexpr unsigned first_sensor_error_bit = 5;
+constexpr unsigned bits_per_word = 16;
+
+std::uint16_t engine_state_word(const EngineState& engine, bool alarm) {
+    const bool starting = !engine.standing() && !engine.running();
+    return static_cast<std::uint16_t>(
+        (engine.standing() ? state_standing : 0) | (starting ? state_starting : 0) |
+        (engine.running() ? state_running : 0) | (engine.at_setpoint() ? state_at_setpoint : 0) |
+        (engine.load > 1 ? state_loaded : 0) | (alarm ? state_alarm : 0));
+}
+
+}  // namespace
+
+SimulatedGovernor::SimulatedGovernor(const image::Image& image)
+    : image_(&image), inputs_(image), cycle_(image.governor().main_cycle_us) {}
+
+Time SimulatedGovernor::poll(Time now) {
+    if (now < next_cycle_) {
+        return next_cycle_;
+    }
+    next_cycle_ += cycle_;
+    ++main_cycles_;
+    run_engine();
+    initialise_gateway(now);
+    gateway_->main_cycle(data(), now);
+    return next_cycle_;
+}
+
+void SimulatedGovernor::state_changed(GatewayState state) {
+    gateway_state_ = state;
+    inputs_.set_operational(state == GatewayState::operational);
+}
+
+void SimulatedGovernor::process_data(std::uint8_t rpdo, const device::PdoWords& words) {
+    inputs_.receive(rpdo, words);
+}
+
+// After a reset of either side: Init, the initialisation telegrams, Pre-Operational (manual, chapter 3).
+void SimulatedGovernor::initialise_gateway(Time now) {
+    if (gateway_state_ != GatewayState::undefined && gateway_state_ != GatewayState::init) {
+        return;
+    }
+    if (initialising_ == 0) {
+        initialising_ = initialisation_cycles;
+        gateway_->command(GovernorCommand::init, now);
+        return;
+    }
+    --initialising_;
+    if (initialising_ == 0) {
+        gateway_->command(GovernorCommand::pre_operational, now);
+    }
+}
+
+void SimulatedGovernor::run_engine() {
+    EngineInputs engine;
+    engine.idle_requested = inputs_.switch_function(idle_switch).value_or(false);
+    engine.load_enabled = inputs_.switch_function(load_enable_switch).value_or(true);
+    const bool second = inputs_.switch_function(setpoint_2_switch).value_or(false);
+    engine.setpoint = second ? percentage(setpoint_2_sensor, setpoint_2_substitute)
+                             : percentage(setpoint_1_sensor, setpoint_1_substitute);
+    engine.load = percentage(load_sensor, load_substitute);
+    engine.ambient = ambient_substitute;
+    const CanopenInputs::SensorValue ambient = inputs_.sensor(ambient_sensor);
+    if (ambient.carried && !ambient.faulty) {
+        engine.ambient = scale_of(*image_, ambient_sensor, 0, 2000).to_engineering(ambient.word);
+    }
+    engine_.advance(static_cast<double>(cycle_) / 1e6, engine);
+}
+
+// A sensor's value as a percentage of its range, whatever its unit.
+double SimulatedGovernor::percentage(std::uint16_t sensor_number, double substitute) const {
+    const CanopenInputs::SensorValue sensor = inputs_.sensor(sensor_number);
+    if (!sensor.carried || sensor.faulty) {
+        return substitute;
+    }
+    Scale scale = scale_of(*image_, sensor_number, 0, 100);
+    scale.external_minimum = 0;
+    scale.external_maximum = 100;
+    return scale.to_engineering(sensor.word);
+}
+
+device::GovernorData SimulatedGovernor::data() const {
+    device::GovernorData data;
+    fill_analogue(data);
+    bool alarm = false;
+    for (std::size_t i = 0; i < image_->sensor_count(); ++i) {
+        const std::uint16_t number = image_->sensor(i).number;
+        if (inputs_.sensor(number).faulty) {
+            const unsigned bit = first_sensor_error_bit + number - first_sensor;
+            data.errors[bit / bits_per_word] =
+                static_cast<std::uint16_t>(data.errors[bit / bits_per_word] | (1U << (bit % bits_per_word)));
+            alarm = true;
+        }
+    }
+    data.engine_state = engine_state_word(engine_.state(), alarm);
+    return data;
+}
+
+void SimulatedGovernor::fill_analogue(device::GovernorData& data) const {
+    const double seconds = static_cast<double>(main_cycles_ * cycle_) / 1e6;
+    for (std::size_t i = 0; i < device::analogue_tpdos; ++i) {
+        const image::Pdo pdo = image_->pdo(device::first_analogue_tpdo - 1 + i);
+        for (std::size_t word = 0; word < pdo.word_count; ++word) {
+            data.analogue[i][word] =
+                reading(*image_, pdo.mapping[word].parameter, engine_.state(), inputs_, seconds);
+        }
+    }
+}
+
+}  // namespace cgw::simulation

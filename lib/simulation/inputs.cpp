@@ -1,0 +1,53 @@
+#include "simulation/inputs.hpp"
+
+namespace cgw::simulation {
+namespace {
+
+constexpr std::size_t flags_word = 2;  // RPDO1 word 3 (D25)
+
+}  // namespace
+
+void CanopenInputs::set_operational(bool operational) {
+    operational_ = operational;
+    received_.fill(false);
+    words_ = {};
+}
+
+void CanopenInputs::receive(std::uint8_t rpdo, const device::PdoWords& words) {
+    received_[rpdo - 1U] = true;
+    words_[rpdo - 1U] = words;
+}
+
+std::optional<bool> CanopenInputs::switch_function(std::uint16_t number) const {
+    for (std::size_t i = 0; i < image_->switch_count(); ++i) {
+        const image::SwitchFunction function = image_->switch_function(i);
+        if (function.number == number) {
+            const bool bit = ((unsigned{words_[0][0]} >> (function.bit - 1U)) & 1U) != 0;
+            return operational_ && received_[0] && bit != function.low_active;
+        }
+    }
+    return std::nullopt;
+}
+
+CanopenInputs::SensorValue CanopenInputs::sensor(std::uint16_t number) const {
+    for (std::size_t i = 0; i < image_->sensor_count(); ++i) {
+        const image::Sensor sensor = image_->sensor(i);
+        if (sensor.number == number) {
+            return value_of(sensor);
+        }
+    }
+    return {};
+}
+
+CanopenInputs::SensorValue CanopenInputs::value_of(const image::Sensor& sensor) const {
+    const std::size_t channel = sensor.channel - 1U;
+    const std::size_t pdo = 1 + channel / device::words_per_pdo;  // RPDO2..4 (D26)
+    const bool flagged = ((unsigned{words_[0][flags_word]} >> channel) & 1U) != 0;
+    SensorValue value;
+    value.carried = true;
+    value.faulty = !operational_ || !received_[pdo] || flagged;
+    value.word = words_[pdo][channel % device::words_per_pdo];
+    return value;
+}
+
+}  // namespace cgw::simulation

@@ -1,0 +1,48 @@
+// A CANopen master on the simulated bus that remembers what it heard.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <vector>
+
+#include "master/master.hpp"
+#include "simulation/bus.hpp"
+
+namespace cgw::simulation {
+
+class MasterNode final : public Participant, public master::Listener {
+  public:
+    MasterNode(Bus& bus, std::uint8_t server_node_id, Time sdo_timeout);
+
+    Time poll(Time now) override { return master_.poll(now); }
+    void receive(const frame::Frame& frame, Time now) override { master_.receive(frame, now); }
+    void boot_up(std::uint8_t node_id, Time now) override;
+    void heartbeat(std::uint8_t node_id, canopen::NmtState state, Time now) override;
+    void process_data(const frame::Frame& frame, Time now) override;
+
+    master::Master& master() { return master_; }
+
+    struct Event {
+        Time time = 0;
+        std::uint8_t node_id = 0;
+        canopen::NmtState state = canopen::NmtState::initialising;  // initialising: boot-up
+    };
+    const std::vector<Event>& boot_ups() const { return boot_ups_; }
+    const std::vector<Event>& heartbeats() const { return heartbeats_; }
+
+    struct Received {
+        frame::Frame last;
+        Time time = 0;
+        std::uint64_t count = 0;
+    };
+    // Nothing before the first frame with that identifier.
+    std::optional<Received> received(std::uint16_t cob_id) const;
+
+  private:
+    master::Master master_;
+    std::vector<Event> boot_ups_;
+    std::vector<Event> heartbeats_;
+    std::map<std::uint32_t, Received> received_;
+};
+
+}  // namespace cgw::simulation

@@ -1,0 +1,81 @@
+#include "cli/canopen-gateway/options.hpp"
+
+#include <sstream>
+
+namespace cgw::gateway_cli {
+namespace {
+
+std::string error_of(const std::vector<const char*>& arguments) {
+    Options options;
+    std::string error;
+    EXPECT_FALSE(parse_options(arguments, options, error)) << arguments.front();
+    return error;
+}
+
+TEST(GatewayOptions, reads_every_option) {
+    const std::vector<const char*> arguments = {"--can1", "simulated", "--can2",     "virtual", "--master",
+                                                "--log",  "run.log",   "--duration", "2.5"};
+    Options options;
+    std::string error;
+    ASSERT_TRUE(parse_options(arguments, options, error)) << error;
+    EXPECT_TRUE(options.master);
+    EXPECT_EQ(options.log, "run.log");
+    EXPECT_EQ(options.duration_us, 2'500'000U);
+    EXPECT_FALSE(options.help);
+}
+
+TEST(GatewayOptions, reads_values_after_an_equals_sign) {
+    const std::vector<const char*> arguments = {"--can1=simulated", "--log=a=b", "--duration=86400"};
+    Options options;
+    std::string error;
+    ASSERT_TRUE(parse_options(arguments, options, error)) << error;
+    EXPECT_EQ(options.log, "a=b");
+    EXPECT_EQ(options.duration_us, 86'400'000'000U);
+}
+
+TEST(GatewayOptions, runs_ten_seconds_by_default) {
+    Options options;
+    std::string error;
+    EXPECT_TRUE(parse_options({}, options, error));
+    EXPECT_EQ(options.duration_us, 10'000'000U);
+}
+
+TEST(GatewayOptions, refuses_unknown_options_and_stray_words) {
+    EXPECT_EQ(error_of({"--foo"}), "unknown option '--foo', --help lists them");
+    EXPECT_EQ(error_of({"--foo=1"}), "unknown option '--foo', --help lists them");
+    EXPECT_EQ(error_of({"run.log"}), "unknown option 'run.log', --help lists them");
+    EXPECT_EQ(error_of({""}), "unknown option '', --help lists them");
+}
+
+TEST(GatewayOptions, refuses_media_it_does_not_have) {
+    EXPECT_EQ(error_of({"--can1", "socketcan:can0"}), "--can1 'socketcan:can0': expected simulated");
+    EXPECT_EQ(error_of({"--can2", "simulated"}), "--can2 'simulated': expected virtual");
+}
+
+TEST(GatewayOptions, refuses_missing_and_superfluous_values) {
+    EXPECT_EQ(error_of({"--log"}), "--log '': expected a file name");
+    EXPECT_EQ(error_of({"--log="}), "--log '': expected a file name");
+    EXPECT_EQ(error_of({"--master=yes"}), "--master takes no value");
+}
+
+TEST(GatewayOptions, refuses_durations_that_are_none) {
+    for (const char* text : {"", "0", "-1", "abc", "1s", "86401", "nan", "inf", "1e3", "0.0000001", " 1"}) {
+        EXPECT_NE(error_of({"--duration", text}).find("expected a number above 0, up to 86400"),
+                  std::string::npos)
+            << text;
+    }
+}
+
+TEST(GatewayOptions, names_every_option_in_the_help_within_eighty_columns) {
+    const std::string help = help_text();
+    for (const char* name : {"--can1", "--can2", "--master", "--log", "--duration", "--version", "--help"}) {
+        EXPECT_NE(help.find(name), std::string::npos) << name;
+    }
+    std::istringstream lines(help);
+    for (std::string line; std::getline(lines, line);) {
+        EXPECT_LE(line.size(), 80U) << line;
+    }
+}
+
+}  // namespace
+}  // namespace cgw::gateway_cli

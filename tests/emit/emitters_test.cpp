@@ -1,0 +1,62 @@
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "eds/writer.hpp"
+#include "plant.hpp"
+
+namespace cgw::emit {
+
+TEST(Emitters, are_found_by_name) {
+    for (const std::string name : {"eds", "pdo-table", "image", "image-source"}) {
+        ASSERT_NE(find_emitter(name), nullptr) << name;
+        EXPECT_EQ(find_emitter(name)->name, name);
+    }
+    EXPECT_EQ(find_emitter("dbx"), nullptr);
+    EXPECT_EQ(find_emitter(""), nullptr);
+    EXPECT_EQ(all_emitters().size(), 4U);
+}
+
+TEST(Emitters, have_a_summary_a_function_and_a_first_format) {
+    for (const Emitter& emitter : all_emitters()) {
+        EXPECT_FALSE(emitter.summary.empty());
+        EXPECT_NE(emitter.emit, nullptr);
+        EXPECT_FALSE(emitter.formats.empty());
+    }
+}
+
+TEST(Emitters, name_the_files_that_build_writes) {
+    std::set<std::string> names;
+    for (const Emitter& emitter : all_emitters()) {
+        for (const Format& format : emitter.formats) {
+            if (!format.file_name.empty()) {
+                EXPECT_TRUE(names.emplace(format.file_name).second) << format.file_name;
+            }
+        }
+    }
+    EXPECT_EQ(names, (std::set<std::string>{"CANopenGateway.eds", "pdo-table.md", "pdo-table.csv",
+                                            "pdo-table.json", "gateway-config.bin"}));
+}
+
+TEST(EmitterFormats, begin_with_the_default) {
+    const Emitter& table = *find_emitter("pdo-table");
+    EXPECT_EQ(find_format(table, "")->name, "text");
+    EXPECT_EQ(find_format(table, "csv")->file_name, "pdo-table.csv");
+    EXPECT_EQ(find_format(table, "xlsx"), nullptr);
+}
+
+TEST(EmitEds, writes_the_plants_dictionary) {
+    const test::SamplePlant plant(test::manual_configuration());
+    EXPECT_EQ(plant.emit("eds", ""), eds::write(plant.dictionary));
+    EXPECT_NE(
+        plant.emit("eds", "").find("Description=Genset 2, starboard, configuration 0123456789abcdef\r\n"),
+        std::string::npos);
+}
+
+TEST(EmitPdoTable, takes_an_unnamed_format_for_text) {
+    const test::SamplePlant plant(test::manual_configuration());
+    EXPECT_EQ(plant.emit("pdo-table", ""), plant.emit("pdo-table", "text"));
+    EXPECT_NE(plant.emit("pdo-table", "csv"), plant.emit("pdo-table", "text"));
+}
+
+}  // namespace cgw::emit
