@@ -26,91 +26,91 @@ constexpr IdentityRow identity_rows[] = {
     {identity, 3, "revision"},       {identity, 4, "serial number"},
 };
 
-bool wait_for_boot_up(Session& session) {
-    const auto booted = [&session] { return !session.node().boot_ups().empty(); };
-    if (!session.run_until(booted, second)) {
-        session.say("no boot-up message");
-        return session.over();
+bool wait_for_boot_up(PlantRun& plant_run) {
+    const auto booted = [&plant_run] { return !plant_run.node().boot_ups().empty(); };
+    if (!plant_run.run_until(booted, second)) {
+        plant_run.say("no boot-up message");
+        return plant_run.over();
     }
-    session.say(fmt::format("boot-up of node {}", session.node().boot_ups().front().node_id));
+    plant_run.say(fmt::format("boot-up of node {}", plant_run.node().boot_ups().front().node_id));
     return true;
 }
 
-void show_identity(Session& session) {
-    if (session.over()) {
+void show_identity(PlantRun& plant_run) {
+    if (plant_run.over()) {
         return;
     }
-    session.say("identity by SDO");
+    plant_run.say("identity by SDO");
     for (const IdentityRow& row : identity_rows) {
-        const auto transfer = session.upload(row.index, row.sub_index);
+        const auto transfer = plant_run.upload(row.index, row.sub_index);
         if (!transfer) {
             return;
         }
         const std::string value = transfer->abort_code == 0 ? fmt::format("{:08X}h", transfer->value)
                                                             : abort_text(transfer->abort_code);
-        session.detail(fmt::format("{:04X}h:{} {:<14} {}", row.index, row.sub_index, row.name, value));
+        plant_run.detail(fmt::format("{:04X}h:{} {:<14} {}", row.index, row.sub_index, row.name, value));
     }
 }
 
-bool start(Session& session) {
-    if (session.over()) {
+bool start(PlantRun& plant_run) {
+    if (plant_run.over()) {
         return true;
     }
-    session.master().command(canopen::NmtCommand::start, session.node_id());
-    const auto started = [&session] {
-        return session.plant().gateway().state() == device::GatewayState::operational;
+    plant_run.master().command(canopen::NmtCommand::start, plant_run.node_id());
+    const auto started = [&plant_run] {
+        return plant_run.plant().gateway().state() == device::GatewayState::operational;
     };
-    if (!session.run_until(started, second)) {
-        session.say("NMT start had no effect");
-        return session.over();
+    if (!plant_run.run_until(started, second)) {
+        plant_run.say("NMT start had no effect");
+        return plant_run.over();
     }
-    session.say("NMT start: the gateway is Operational");
+    plant_run.say("NMT start: the gateway is Operational");
     return true;
 }
 
-void show_refused_write(Session& session) {
-    if (session.over()) {
+void show_refused_write(PlantRun& plant_run) {
+    if (plant_run.over()) {
         return;
     }
-    const auto transfer = session.download(heartbeat_time, 0, 500, 2);
+    const auto transfer = plant_run.download(heartbeat_time, 0, 500, 2);
     if (transfer) {
-        session.say(fmt::format("SDO write to {:04X}h:0: {}", heartbeat_time,
-                                transfer->abort_code == 0 ? "accepted" : abort_text(transfer->abort_code)));
+        plant_run.say(fmt::format("SDO write to {:04X}h:0: {}", heartbeat_time,
+                                  transfer->abort_code == 0 ? "accepted" : abort_text(transfer->abort_code)));
     }
 }
 
-void show_heartbeats(Session& session) {
-    const auto& heartbeats = session.node().heartbeats();
-    const Time period = session.image().heartbeat().producer_us;
+void show_heartbeats(PlantRun& plant_run) {
+    const auto& heartbeats = plant_run.node().heartbeats();
+    const Time period = plant_run.image().heartbeat().producer_us;
     if (period == 0) {
-        session.say("heartbeat: off in this configuration");
+        plant_run.say("heartbeat: off in this configuration");
     } else if (heartbeats.empty()) {
-        session.say(fmt::format("heartbeat: none yet, one is due every {} ms", period / 1000));
+        plant_run.say(fmt::format("heartbeat: none yet, one is due every {} ms", period / 1000));
     } else {
-        session.say(fmt::format("heartbeats: {}, one every {} ms, the last one says {}", heartbeats.size(),
-                                period / 1000, to_text(heartbeats.back().state)));
+        plant_run.say(fmt::format("heartbeats: {}, one every {} ms, the last one says {}", heartbeats.size(),
+                                  period / 1000, to_text(heartbeats.back().state)));
     }
 }
 
 }  // namespace
 
-bool demonstrate(Session& session) {
-    if (!wait_for_boot_up(session)) {
+bool demonstrate(PlantRun& plant_run) {
+    if (!wait_for_boot_up(plant_run)) {
         return false;
     }
-    show_identity(session);
-    if (!start(session)) {
+    show_identity(plant_run);
+    if (!start(plant_run)) {
         return false;
     }
-    set_healthy_outputs(session);
-    if (session.run_for(3 * second)) {
-        show_transmit_pdos(session);
+    set_healthy_outputs(plant_run);
+    if (plant_run.run_for(3 * second)) {
+        show_transmit_pdos(plant_run);
     }
-    show_effects(session);
-    show_refused_write(session);
-    while (session.run_for(second)) {
+    show_effects(plant_run);
+    show_refused_write(plant_run);
+    while (plant_run.run_for(second)) {
     }
-    show_heartbeats(session);
+    show_heartbeats(plant_run);
     return true;
 }
 

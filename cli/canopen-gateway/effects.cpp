@@ -27,11 +27,11 @@ constexpr std::uint16_t telling_switches[] = {827, 835, 811};
 
 using Words = std::map<std::uint16_t, std::uint16_t>;  // parameter to word, of all transmit PDOs received
 
-Words words_of(Session& session) {
+Words words_of(PlantRun& plant_run) {
     Words words;
     for (std::size_t position = 0; position < transmit_pdos; ++position) {
-        const image::Pdo pdo = session.image().pdo(position);
-        const auto received = pdo.active ? session.node().received(pdo.cob_id) : std::nullopt;
+        const image::Pdo pdo = plant_run.image().pdo(position);
+        const auto received = pdo.active ? plant_run.node().received(pdo.cob_id) : std::nullopt;
         for (std::size_t word = 0; received && word < pdo.word_count; ++word) {
             if (pdo.mapping[word].parameter != 0) {
                 words[pdo.mapping[word].parameter] = wire::load_u16(&received->last.data[2 * word]);
@@ -50,36 +50,36 @@ std::string binary_name(const image::MappedObject& mapped) {
                        errors ? fmt::format("errors {}..{}", first, first + bits - 1) : "engine state");
 }
 
-void show_words(Session& session, const image::Pdo& pdo, const frame::Frame& frame) {
+void show_words(PlantRun& plant_run, const image::Pdo& pdo, const frame::Frame& frame) {
     for (std::size_t word = 0; word < pdo.word_count; ++word) {
         const std::uint16_t value = wire::load_u16(&frame.data[2 * word]);
         const image::MappedObject& mapped = pdo.mapping[word];
         const bool measured = mapped.parameter != 0;
         const std::string name =
-            measured ? parameter_text(session.image(), mapped.parameter) : binary_name(mapped);
-        session.detail(fmt::format(
-            "  {:<{}} {:>18}", clipped(name, name_width), name_width,
-            measured ? value_text(session.image(), mapped.parameter, value) : fmt::format("{:04X}h", value)));
+            measured ? parameter_text(plant_run.image(), mapped.parameter) : binary_name(mapped);
+        plant_run.detail(fmt::format("  {:<{}} {:>18}", clipped(name, name_width), name_width,
+                                     measured ? value_text(plant_run.image(), mapped.parameter, value)
+                                              : fmt::format("{:04X}h", value)));
     }
 }
 
-void show_changes(Session& session, const Words& before) {
+void show_changes(PlantRun& plant_run, const Words& before) {
     std::size_t shown = 0;
-    for (const auto& [number, word] : words_of(session)) {
+    for (const auto& [number, word] : words_of(plant_run)) {
         const auto old = before.find(number);
         if (old == before.end() || shown == most_changes_shown) {
             continue;
         }
         if (std::abs(static_cast<std::int16_t>(word - old->second)) >= visible_change) {
-            session.detail(fmt::format("  {:<{}} {:>18} -> {}",
-                                       clipped(parameter_text(session.image(), number), name_width),
-                                       name_width, value_text(session.image(), number, old->second),
-                                       value_text(session.image(), number, word)));
+            plant_run.detail(fmt::format("  {:<{}} {:>18} -> {}",
+                                         clipped(parameter_text(plant_run.image(), number), name_width),
+                                         name_width, value_text(plant_run.image(), number, old->second),
+                                         value_text(plant_run.image(), number, word)));
             ++shown;
         }
     }
     if (shown == 0) {
-        session.detail("  no word of a transmit PDO shows it");
+        plant_run.detail("  no word of a transmit PDO shows it");
     }
 }
 
@@ -113,79 +113,79 @@ bool find_switch(const image::Image& image, image::SwitchFunction& function) {
     return image.switch_count() != 0;
 }
 
-std::uint16_t& output_of(Session& session, const image::Sensor& sensor) {
+std::uint16_t& output_of(PlantRun& plant_run, const image::Sensor& sensor) {
     const std::size_t channel = sensor.channel - 1U;
-    return session.outputs()[1 + channel / device::words_per_pdo][channel % device::words_per_pdo];
+    return plant_run.outputs()[1 + channel / device::words_per_pdo][channel % device::words_per_pdo];
 }
 
 // Sends the changed outputs, lets the plant follow, and shows what followed.
-void follow(Session& session) {
-    const Words before = words_of(session);
-    session.send_outputs();
-    session.run_for(settling);
-    show_changes(session, before);
+void follow(PlantRun& plant_run) {
+    const Words before = words_of(plant_run);
+    plant_run.send_outputs();
+    plant_run.run_for(settling);
+    show_changes(plant_run, before);
 }
 
-void change_sensor(Session& session, const image::Sensor& sensor) {
-    const image::Image& image = session.image();
+void change_sensor(PlantRun& plant_run, const image::Sensor& sensor) {
+    const image::Image& image = plant_run.image();
     const simulation::Scale scale = simulation::scale_of(image, sensor.number, 0, 100);
-    std::uint16_t& word = output_of(session, sensor);
+    std::uint16_t& word = output_of(plant_run, sensor);
     const std::uint16_t old = word;
     const double span = scale.external_maximum - scale.external_minimum;
     const double part = (scale.to_engineering(old) - scale.external_minimum) / span;
     word = scale.to_word(scale.external_minimum + span * (part > 0.85 ? part - 0.15 : part + 0.15));
     const image::Pdo pdo = image.pdo(first_rpdo + 1 + (sensor.channel - 1U) / device::words_per_pdo);
-    session.say(fmt::format("{} {:03X}h changes {}", pdo_text(pdo), pdo.cob_id,
-                            parameter_text(image, sensor.number)));
-    session.detail(fmt::format("  from {} to {}; then", value_text(image, sensor.number, old),
-                               value_text(image, sensor.number, word)));
-    follow(session);
+    plant_run.say(fmt::format("{} {:03X}h changes {}", pdo_text(pdo), pdo.cob_id,
+                              parameter_text(image, sensor.number)));
+    plant_run.detail(fmt::format("  from {} to {}; then", value_text(image, sensor.number, old),
+                                 value_text(image, sensor.number, word)));
+    follow(plant_run);
 }
 
-void toggle_switch(Session& session, const image::SwitchFunction& function) {
-    std::uint16_t& word = session.outputs()[0][0];
+void toggle_switch(PlantRun& plant_run, const image::SwitchFunction& function) {
+    std::uint16_t& word = plant_run.outputs()[0][0];
     const auto mask = static_cast<std::uint16_t>(1U << (function.bit - 1U));
     word = static_cast<std::uint16_t>(word ^ mask);
     const bool active = ((word & mask) != 0) != function.low_active;
-    session.say(fmt::format("RPDO1 {:03X}h switches {} {}, bit {} is {}",
-                            session.image().pdo(first_rpdo).cob_id,
-                            parameter_text(session.image(), function.number), active ? "on" : "off",
-                            function.bit, (word & mask) != 0 ? 1 : 0));
-    follow(session);
+    plant_run.say(fmt::format("RPDO1 {:03X}h switches {} {}, bit {} is {}",
+                              plant_run.image().pdo(first_rpdo).cob_id,
+                              parameter_text(plant_run.image(), function.number), active ? "on" : "off",
+                              function.bit, (word & mask) != 0 ? 1 : 0));
+    follow(plant_run);
 }
 
 }  // namespace
 
-void show_transmit_pdos(Session& session) {
+void show_transmit_pdos(PlantRun& plant_run) {
     std::size_t active = 0;
     for (std::size_t position = 0; position < transmit_pdos; ++position) {
-        const image::Pdo pdo = session.image().pdo(position);
+        const image::Pdo pdo = plant_run.image().pdo(position);
         if (!pdo.active) {
             continue;
         }
         ++active;
-        const auto received = session.node().received(pdo.cob_id);
+        const auto received = plant_run.node().received(pdo.cob_id);
         const std::string rhythm =
             pdo.cycles == 0 ? "on change"
                             : fmt::format("every {:.3f} ms", static_cast<double>(pdo.effective_us) / 1000);
-        session.say(fmt::format("{} {:03X}h {}, {} received", pdo_text(pdo), pdo.cob_id, rhythm,
-                                received ? received->count : 0));
+        plant_run.say(fmt::format("{} {:03X}h {}, {} received", pdo_text(pdo), pdo.cob_id, rhythm,
+                                  received ? received->count : 0));
         if (received) {
-            show_words(session, pdo, received->last);
+            show_words(plant_run, pdo, received->last);
         }
     }
     if (active == 0) {
-        session.say("no transmit PDO is active in this configuration");
+        plant_run.say("no transmit PDO is active in this configuration");
     }
 }
 
-void set_healthy_outputs(Session& session) {
-    const image::Image& image = session.image();
+void set_healthy_outputs(PlantRun& plant_run) {
+    const image::Image& image = plant_run.image();
     for (std::size_t i = 0; i < image.switch_count(); ++i) {
         const image::SwitchFunction function = image.switch_function(i);
         const bool on = function.number == load_enable_switch;
         if (on != function.low_active) {
-            std::uint16_t& word = session.outputs()[0][0];
+            std::uint16_t& word = plant_run.outputs()[0][0];
             word = static_cast<std::uint16_t>(word | 1U << (function.bit - 1U));
         }
     }
@@ -194,24 +194,24 @@ void set_healthy_outputs(Session& session) {
     rated.power = 60;
     for (std::size_t i = 0; i < image.sensor_count(); ++i) {
         const image::Sensor sensor = image.sensor(i);
-        output_of(session, sensor) = simulation::sensor_word(image, sensor.number, rated, 0);
+        output_of(plant_run, sensor) = simulation::sensor_word(image, sensor.number, rated, 0);
     }
-    session.send_outputs();
+    plant_run.send_outputs();
 }
 
-void show_effects(Session& session) {
+void show_effects(PlantRun& plant_run) {
     image::Sensor sensor;
     image::SwitchFunction function;
-    const bool has_sensor = find_sensor(session.image(), sensor);
-    const bool has_switch = find_switch(session.image(), function);
-    if (!has_sensor && !has_switch && !session.over()) {
-        session.say("no receive PDO is active in this configuration");
+    const bool has_sensor = find_sensor(plant_run.image(), sensor);
+    const bool has_switch = find_switch(plant_run.image(), function);
+    if (!has_sensor && !has_switch && !plant_run.over()) {
+        plant_run.say("no receive PDO is active in this configuration");
     }
-    if (has_sensor && !session.over()) {
-        change_sensor(session, sensor);
+    if (has_sensor && !plant_run.over()) {
+        change_sensor(plant_run, sensor);
     }
-    if (has_switch && !session.over()) {
-        toggle_switch(session, function);
+    if (has_switch && !plant_run.over()) {
+        toggle_switch(plant_run, function);
     }
 }
 

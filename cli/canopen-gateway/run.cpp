@@ -6,7 +6,7 @@
 #include "cli/canopen-gateway/demonstration.hpp"
 #include "cli/canopen-gateway/display.hpp"
 #include "cli/canopen-gateway/options.hpp"
-#include "cli/canopen-gateway/session.hpp"
+#include "cli/canopen-gateway/plant_run.hpp"
 
 namespace cgw::gateway_cli {
 namespace {
@@ -38,40 +38,40 @@ void introduce(const image::Image& image, std::ostream& out) {
                        static_cast<double>(image.governor().main_cycle_us) / 1000);
 }
 
-void summarise(Session& session, std::ostream& out) {
-    simulation::Bus& bus = session.plant().bus();
-    const canopen::Slave& slave = session.plant().gateway().slave();
-    const double load = 100.0 * static_cast<double>(bus.busy_time()) / static_cast<double>(session.now());
+void summarise(PlantRun& plant_run, std::ostream& out) {
+    simulation::Bus& bus = plant_run.plant().bus();
+    const canopen::Slave& slave = plant_run.plant().gateway().slave();
+    const double load = 100.0 * static_cast<double>(bus.busy_time()) / static_cast<double>(plant_run.now());
     out << fmt::format("{} frames on CAN2, bus load {:.1f} %, gateway {}\n", bus.frames(), load,
-                       to_text(session.plant().gateway().state()));
+                       to_text(plant_run.plant().gateway().state()));
     out << fmt::format("boot-ups {}, heartbeats {}, TPDOs {}, RPDOs {}, SDO answers {}, aborts {}\n",
-                       session.node().boot_ups().size(), session.node().heartbeats().size(),
+                       plant_run.node().boot_ups().size(), plant_run.node().heartbeats().size(),
                        slave.transmitter().counters().sent, slave.receiver().counters().received,
                        slave.sdo().counters().answers, slave.sdo().counters().aborts);
 }
 
-int run_session(const Options& options, const image::Image& image, std::ostream& out, std::ostream& error) {
-    Session session(image, options.duration_us, out);
-    if (session.plant().status() != device::OpenStatus::ok) {
+int run_plant(const Options& options, const image::Image& image, std::ostream& out, std::ostream& error) {
+    PlantRun plant_run(image, options.duration_us, out);
+    if (plant_run.plant().status() != device::OpenStatus::ok) {
         error << fmt::format("error: the embedded configuration is refused: {}\n",
-                             device::to_text(session.plant().status()));
+                             device::to_text(plant_run.plant().status()));
         return exit_refused;
     }
     introduce(image, out);
     bool fine = true;
     if (options.master) {
-        fine = demonstrate(session);
+        fine = demonstrate(plant_run);
     } else {
-        session.run_for(options.duration_us);
+        plant_run.run_for(options.duration_us);
     }
-    summarise(session, out);
+    summarise(plant_run, out);
     if (!options.log.empty()) {
-        const auto written = base::write_file(options.log, session.log().content());
+        const auto written = base::write_file(options.log, plant_run.log().content());
         if (!written) {
             error << "error: " << written.error().message << '\n';
             return exit_environment;
         }
-        out << clipped(fmt::format("log of {} frames: {}", session.log().frames(), options.log), line_width)
+        out << clipped(fmt::format("log of {} frames: {}", plant_run.log().frames(), options.log), line_width)
             << '\n';
     }
     return fine ? exit_fine : exit_refused;
@@ -102,7 +102,7 @@ int run(std::span<const char* const> arguments, std::span<const std::uint8_t> im
                              image::to_text(status), static_cast<int>(status));
         return exit_refused;
     }
-    return run_session(options, image, out, error);
+    return run_plant(options, image, out, error);
 }
 
 }  // namespace cgw::gateway_cli

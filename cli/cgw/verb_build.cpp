@@ -50,8 +50,9 @@ base::Result<void> write(const BuildOptions& options, const driver::CheckedFile&
 
 std::string summary(const BuildOptions& options, const driver::CheckedFile& file, const emit::Plant& plant,
                     const std::vector<driver::Artefact>& artefacts) {
-    std::string text = fmt::format("{}: {}, configuration id {}\n", file.path, file.settings.title,
-                                   plant.configuration_id_text);
+    const std::string& title = file.settings.title;
+    std::string text = fmt::format("{}: {}configuration id {}\n", file.path,
+                                   title.empty() ? "" : title + ", ", plant.configuration_id_text);
     for (const driver::Artefact& artefact : artefacts) {
         text += fmt::format("  {} ({} bytes)\n", in_directory(options, artefact.file_name),
                             artefact.content.size());

@@ -24,14 +24,14 @@ CyclicTime cyclic_time(std::uint32_t asked_ms, std::uint32_t main_cycle_us);
 
 // Register values as typed (D7): value − 1 of the quantity.
 struct BusTiming {
-    bool manual = false;               // 4416 / 4426
-    std::uint16_t bit_rate_kbit = 0;   // 125, 250, 500, 1000; meaningless when manual
+    bool manual = false;              // 4416 / 4426
+    std::uint16_t bit_rate_kbit = 0;  // 125, 250, 500, 1000; meaningless when manual
     std::uint8_t prescaler = 0;
     std::uint8_t sync_jump_width = 0;
     std::uint8_t sampling_mode = 0;
     std::uint8_t phase_segment_1 = 0;
     std::uint8_t phase_segment_2 = 0;
-    std::uint8_t prop_segment = 0;     // 0 in the governor, which has none
+    std::uint8_t prop_segment = 0;  // 0 in the governor, which has none
 };
 
 enum class Direction : std::uint8_t { transmit, receive };
@@ -49,9 +49,9 @@ enum class WordKind : std::uint8_t {
 
 struct MappedWord {
     WordKind kind = WordKind::dummy;
-    std::uint16_t index = 0;                   // object; 0006h for a dummy
+    std::uint16_t index = 0;  // object; 0006h for a dummy
     std::uint8_t sub_index = 0;
-    const parameter::Row* parameter = nullptr; // measurement: its row; sensor: the 9nn row; else null
+    const parameter::Row* parameter = nullptr;  // measurement: its row; sensor: the 9nn row; else null
 };
 
 inline constexpr std::uint16_t dummy_index = 0x0006;  // UNSIGNED16 dummy (D25)
@@ -60,12 +60,12 @@ inline constexpr std::uint8_t transmission_type = 254;  // D31
 
 struct Pdo {
     Direction direction = Direction::transmit;
-    std::uint8_t number = 0;           // TPDO 1..16, RPDO 1..4
+    std::uint8_t number = 0;  // TPDO 1..16, RPDO 1..4
     bool active = false;
-    std::uint16_t cob_id = 0;          // 11 bits; kept when inactive; 0: not set
+    std::uint16_t cob_id = 0;  // 11 bits; kept when inactive; 0: not set
     CobIdSource cob_id_source = CobIdSource::predefined;
-    CyclicTime time;                   // cycle (TPDO4..16) or monitoring (RPDO); zero for TPDO1..3
-    std::vector<MappedWord> mapping;   // empty when inactive
+    CyclicTime time;                  // cycle (TPDO4..16) or monitoring (RPDO); zero for TPDO1..3
+    std::vector<MappedWord> mapping;  // empty when inactive
 
     std::uint8_t length() const { return static_cast<std::uint8_t>(2 * mapping.size()); }  // bytes
 };
@@ -88,8 +88,8 @@ struct AnalogueOutput {
     const parameter::Row* parameter = nullptr;
     std::uint16_t index = 0;  // 2001h unsigned, 2002h signed
     std::uint8_t sub_index = 0;
-    std::uint8_t tpdo = 0;    // 4..16
-    std::uint8_t word = 0;    // 1..4, as sent
+    std::uint8_t tpdo = 0;  // 4..16
+    std::uint8_t word = 0;  // 1..4, as sent
 };
 
 enum class DecisionKind : std::uint8_t {

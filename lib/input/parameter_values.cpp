@@ -129,12 +129,11 @@ class ParameterReader {
         return set_.find(number) != nullptr || set_.rejected(number);
     }
 
-    // The last number that a list starting at `row` may reach (D16): the end of its array, or where the
-    // array's first element says that the following arrays belong to it.
-    std::uint16_t list_end(const Row& row) const {
+    // The last number that a list starting at `row` may reach (D16): the end of its array, or further where
+    // the row says so (16400).
+    static std::uint16_t list_end(const Row& row) {
         const auto end = static_cast<std::uint16_t>(row.array_first + row.array_size - 1);
-        const Row* first = context_.catalogue.find(device_, row.array_first);
-        return std::max({end, row.list_end, first != nullptr ? first->list_end : row.list_end});
+        return std::max(end, row.list_end);
     }
 
     void read_list(const Row& first, const Entry& entry) {

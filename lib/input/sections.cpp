@@ -189,7 +189,7 @@ constexpr Table network_table{"network", network_keys};
 constexpr Key document_top_keys[] = {
     {"format", Kind::integer, optional, Limit::none, 0, 0, leave_it},  // judged before anything else is read
     // 200: with room for what an EDS adds in its Description of 243 bytes.
-    {"title", Kind::string, required, Limit::bytes, 1, 200,
+    {"title", Kind::string, optional, Limit::bytes, 1, 200,
      [](Context& context, const Entry& entry) { context.settings().title = entry.value.text; }},
     {"catalogue", Kind::array, optional, Limit::elements, 0, 16,
      [](Context& context, const Entry& entry) { context.postponed.catalogues = &entry; }},

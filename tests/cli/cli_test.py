@@ -27,7 +27,7 @@ class Verb(unittest.TestCase):
         self.dir = pathlib.Path(tempfile.mkdtemp(prefix="cgw-cli-"))
         self.addCleanup(shutil.rmtree, self.dir)
 
-    def broken(self, old="427 = ", new="427 = 1"):
+    def broken(self, old="CanOpenMyNodeID = ", new="427 = 1"):
         """The genset with one line replaced; returns the path and the number of that line."""
         lines = pathlib.Path(GENSET).read_text().split("\n")
         at = next(i for i, line in enumerate(lines) if line.startswith(old))
@@ -115,11 +115,9 @@ class Check(Verb):
         self.assertEqual(cgw("check", empty).returncode, 1)
         pipe = self.dir / "pipe"
         os.mkfifo(pipe)
-        writer = subprocess.Popen(["cp", "--", GENSET, "/dev/stdout"], stdout=os.open(pipe, os.O_RDWR))
-        writer.wait()
-        writer = subprocess.Popen(["sh", "-c", f'exec cat "{GENSET}" > "{pipe}"'])
-        result = cgw("check", pipe)
-        writer.wait()
+        with subprocess.Popen(["cp", GENSET, "/dev/stdout"], stdout=subprocess.PIPE) as reader, \
+                subprocess.Popen(["sh", "-c", 'exec cat > "$0"', str(pipe)], stdin=reader.stdout):
+            result = cgw("check", pipe)
         self.assertEqual(result.returncode, 0, result.stdout)
 
     def test_hostile_files_are_refused_without_a_crash(self):

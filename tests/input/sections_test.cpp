@@ -96,9 +96,8 @@ TEST(InputSections, defaults_hold_for_what_is_left_out) {
     EXPECT_TRUE(settings.declarations.empty());
 }
 
-TEST(InputSections, a_title_is_required_short_and_one_line) {
-    EXPECT_EQ(show(read("format = 1\n" + governor + gateway).findings),
-              "E0103 0:0 `title` is missing at the top of the file");
+TEST(InputSections, a_title_is_optional_short_and_one_line) {
+    EXPECT_EQ(show(read("format = 1\n" + governor + gateway).findings), "fine");
     const auto title = [](const std::string& value) {
         return show(read("format = 1\ntitle = " + value + "\n" + governor + gateway).findings);
     };
@@ -233,7 +232,6 @@ TEST(InputSections, all_mistakes_are_reported_in_one_run) {
     const Outcome outcome = read(
         "format = 1\n[document]\nrevision = -1\n[governor.parameters]\n401 = 0\n[network]\nnodes = [0]\n");
     EXPECT_EQ(show(outcome.findings),
-              "E0103 0:0 `title` is missing at the top of the file\n"
               "E0109 0:0 401 CanMyNodeNumber of the gateway is missing and has no default\n"
               "E0109 0:0 402 CanDCNodeNumber of the gateway is missing and has no default\n"
               "E0109 0:0 416 HzmCanBaudrate of the gateway is missing and has no default | "

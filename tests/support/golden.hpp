@@ -18,6 +18,22 @@ inline std::string read_text(const std::filesystem::path& path) {
     return text.str();
 }
 
+// "7:\n  golden: …\n  actual: …" of the first line that differs, whole artefacts are too long to print.
+inline std::string first_difference(const std::string& expected, const std::string& actual) {
+    std::istringstream golden_lines(expected);
+    std::istringstream actual_lines(actual);
+    std::string golden;
+    std::string now;
+    for (int number = 1;; ++number) {
+        const bool more_golden = static_cast<bool>(std::getline(golden_lines, golden));
+        const bool more_actual = static_cast<bool>(std::getline(actual_lines, now));
+        if (golden != now || more_golden != more_actual || !more_golden) {
+            return std::to_string(number) + ":\n  golden: " + (more_golden ? golden : "(end)") +
+                   "\n  actual: " + (more_actual ? now : "(end)");
+        }
+    }
+}
+
 // `relative` is below tests/data.
 inline void expect_golden(const std::string& relative, const std::string& actual) {
     const std::filesystem::path path = std::filesystem::path(CGW_TEST_DATA) / relative;
@@ -28,7 +44,11 @@ inline void expect_golden(const std::string& relative, const std::string& actual
         return;
     }
     ASSERT_TRUE(std::filesystem::exists(path)) << path << " is missing; run with CGW_UPDATE_GOLDEN=1";
-    EXPECT_EQ(read_text(path), actual) << "golden file " << path << "; CGW_UPDATE_GOLDEN=1 rewrites it";
+    const std::string expected = read_text(path);
+    if (expected != actual) {
+        ADD_FAILURE() << path << " differs, first in line " << first_difference(expected, actual)
+                      << "; CGW_UPDATE_GOLDEN=1 rewrites it";
+    }
 }
 
 }  // namespace cgw::test

@@ -1,4 +1,4 @@
-#include "cli/canopen-gateway/session.hpp"
+#include "cli/canopen-gateway/plant_run.hpp"
 
 #include <fmt/format.h>
 
@@ -18,7 +18,7 @@ constexpr std::size_t transmit_pdos = 16;
 
 }  // namespace
 
-Session::Session(const image::Image& image, Time duration, std::ostream& out)
+PlantRun::PlantRun(const image::Image& image, Time duration, std::ostream& out)
     : image_(&image),
       out_(&out),
       end_(duration),
@@ -33,12 +33,12 @@ Session::Session(const image::Image& image, Time duration, std::ostream& out)
     }
 }
 
-bool Session::run_for(Time time) {
+bool PlantRun::run_for(Time time) {
     const Time target = now() + time;
     return run_until([this, target] { return now() >= target; }, time) && !over();
 }
 
-bool Session::run_until(const std::function<bool()>& reached, Time at_most) {
+bool PlantRun::run_until(const std::function<bool()>& reached, Time at_most) {
     const Time target = std::min(end_, now() + at_most);
     while (!reached()) {
         if (now() >= target) {
@@ -52,29 +52,29 @@ bool Session::run_until(const std::function<bool()>& reached, Time at_most) {
     return true;
 }
 
-void Session::say(std::string_view text) {
+void PlantRun::say(std::string_view text) {
     const auto milliseconds = now() / 1000;
     *out_ << clipped(fmt::format("{:4}.{:03} s  {}", milliseconds / 1000, milliseconds % 1000, text),
                      line_width)
           << '\n';
 }
 
-void Session::detail(std::string_view text) {
+void PlantRun::detail(std::string_view text) {
     *out_ << clipped(fmt::format("            {}", text), line_width) << '\n';
 }
 
-std::optional<Session::Transfer> Session::upload(std::uint16_t index, std::uint8_t sub_index) {
+std::optional<PlantRun::Transfer> PlantRun::upload(std::uint16_t index, std::uint8_t sub_index) {
     master().sdo().upload({index, sub_index});
     return finish_transfer();
 }
 
-std::optional<Session::Transfer> Session::download(std::uint16_t index, std::uint8_t sub_index,
-                                                   std::uint32_t value, std::uint8_t length) {
+std::optional<PlantRun::Transfer> PlantRun::download(std::uint16_t index, std::uint8_t sub_index,
+                                                     std::uint32_t value, std::uint8_t length) {
     master().sdo().download({index, sub_index}, value, length);
     return finish_transfer();
 }
 
-std::optional<Session::Transfer> Session::finish_transfer() {
+std::optional<PlantRun::Transfer> PlantRun::finish_transfer() {
     using Status = canopen::SdoClient::Status;
     const canopen::SdoClient& sdo = master().sdo();
     if (!run_until([&sdo] { return sdo.status() != Status::busy; }, 2 * sdo_timeout)) {
@@ -83,7 +83,7 @@ std::optional<Session::Transfer> Session::finish_transfer() {
     return Transfer{static_cast<std::uint32_t>(sdo.abort_code()), sdo.value(), sdo.length()};
 }
 
-void Session::send_outputs() {
+void PlantRun::send_outputs() {
     for (std::size_t rpdo = 0; rpdo < outputs_.size(); ++rpdo) {
         const image::Pdo pdo = image_->pdo(first_rpdo + rpdo);
         if (!pdo.active) {

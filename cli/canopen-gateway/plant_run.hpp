@@ -19,9 +19,9 @@ namespace cgw::gateway_cli {
 
 using canopen::Time;
 
-class Session {
+class PlantRun {
   public:
-    Session(const image::Image& image, Time duration, std::ostream& out);
+    PlantRun(const image::Image& image, Time duration, std::ostream& out);
 
     const image::Image& image() const { return *image_; }
     simulation::Plant& plant() { return plant_; }
