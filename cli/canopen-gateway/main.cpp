@@ -17,12 +17,12 @@ int main(int argc, char** argv) {
                                   {cgw_config_image, cgw_config_image_size}, std::cout, std::cerr);
         std::cout.flush();
         if (!std::cout) {
-            std::cerr << "error: cannot write to standard output\n";
+            std::cerr << "canopen-gateway: cannot write to standard output\n";
             return cgw::gateway_cli::exit_environment;
         }
         return code;
     } catch (const std::exception& failure) {
-        std::cerr << "internal error: " << failure.what() << '\n';
+        std::cerr << "canopen-gateway: internal error: " << failure.what() << '\n';
     }
     return cgw::gateway_cli::exit_internal;
 }

@@ -53,7 +53,7 @@ void summarise(PlantRun& plant_run, std::ostream& out) {
 int run_plant(const Options& options, const image::Image& image, std::ostream& out, std::ostream& error) {
     PlantRun plant_run(image, options.duration_us, out);
     if (plant_run.plant().status() != device::OpenStatus::ok) {
-        error << fmt::format("error: the embedded configuration is refused: {}\n",
+        error << fmt::format("canopen-gateway: the embedded configuration is refused: {}\n",
                              device::to_text(plant_run.plant().status()));
         return exit_refused;
     }
@@ -68,7 +68,7 @@ int run_plant(const Options& options, const image::Image& image, std::ostream& o
     if (!options.log.empty()) {
         const auto written = base::write_file(options.log, plant_run.log().content());
         if (!written) {
-            error << "error: " << written.error().message << '\n';
+            error << "canopen-gateway: " << written.error().message << '\n';
             return exit_environment;
         }
         out << clipped(fmt::format("log of {} frames: {}", plant_run.log().frames(), options.log), line_width)
@@ -84,7 +84,7 @@ int run(std::span<const char* const> arguments, std::span<const std::uint8_t> im
     Options options;
     std::string mistake;
     if (!parse_options(arguments, options, mistake)) {
-        error << "error: " << mistake << '\n';
+        error << "canopen-gateway: " << mistake << '\n';
         return exit_usage;
     }
     if (options.help) {
@@ -98,7 +98,7 @@ int run(std::span<const char* const> arguments, std::span<const std::uint8_t> im
     image::Image image;
     const image::Status status = image::Image::open(image_bytes, image);
     if (status != image::Status::ok) {
-        error << fmt::format("error: the embedded configuration is refused: {} (status {})\n",
+        error << fmt::format("canopen-gateway: the embedded configuration is refused: {} (status {})\n",
                              image::to_text(status), static_cast<int>(status));
         return exit_refused;
     }

@@ -10,7 +10,7 @@ namespace cgw::base {
 using Bytes = std::vector<std::uint8_t>;
 
 inline Bytes to_bytes(const std::string& text) {
-    return Bytes(text.begin(), text.end());
+    return {text.begin(), text.end()};
 }
 
 }  // namespace cgw::base

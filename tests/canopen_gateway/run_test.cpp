@@ -131,8 +131,9 @@ TEST_F(GatewayRun, refuses_a_damaged_image_with_the_reason) {
     bytes[bytes.size() / 2] ^= 1U;
     const Outcome outcome = run_with(bytes, {"--master"});
     EXPECT_EQ(outcome.code, 1);
-    EXPECT_EQ(outcome.error,
-              "error: the embedded configuration is refused: the CRC-32 does not match (status 7)\n");
+    EXPECT_EQ(
+        outcome.error,
+        "canopen-gateway: the embedded configuration is refused: the CRC-32 does not match (status 7)\n");
     EXPECT_TRUE(outcome.out.empty());
 }
 
@@ -141,13 +142,14 @@ TEST_F(GatewayRun, refuses_an_image_the_gateway_cannot_run) {
     const Outcome outcome = run_with(plant_.image(), {});
     EXPECT_EQ(outcome.code, 1);
     EXPECT_EQ(outcome.error,
-              "error: the embedded configuration is refused: an object that the gateway writes is missing\n");
+              "canopen-gateway: the embedded configuration is refused: an object that the gateway writes is "
+              "missing\n");
 }
 
 TEST_F(GatewayRun, refuses_a_wrong_command_line) {
     const Outcome outcome = run_with(plant_.image(), {"--can2", "hub"});
     EXPECT_EQ(outcome.code, 2);
-    EXPECT_EQ(outcome.error, "error: --can2 'hub': expected virtual\n");
+    EXPECT_EQ(outcome.error, "canopen-gateway: --can2 'hub': expected virtual\n");
     EXPECT_TRUE(outcome.out.empty());
 }
 
@@ -180,7 +182,7 @@ TEST_F(GatewayRun, leaves_nothing_behind_when_the_log_cannot_be_written) {
     const std::string log = path("missing/run.log");
     const Outcome outcome = run_with(plant_.image(), {"--log", log.c_str(), "--duration", "1"});
     EXPECT_EQ(outcome.code, 3);
-    EXPECT_TRUE(contains(outcome.error, "error: ")) << outcome.error;
+    EXPECT_TRUE(contains(outcome.error, "canopen-gateway: ")) << outcome.error;
     EXPECT_TRUE(contains(outcome.error, log)) << outcome.error;
     EXPECT_TRUE(std::filesystem::is_empty(directory_));
 }
