@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "base/files.hpp"
+#include "base/utf8.hpp"
 #include "cli/canopen-gateway/demonstration.hpp"
 #include "cli/canopen-gateway/display.hpp"
 #include "cli/canopen-gateway/options.hpp"
@@ -68,7 +69,7 @@ int run_plant(const Options& options, const image::Image& image, std::ostream& o
     if (!options.log.empty()) {
         const auto written = base::write_file(options.log, plant_run.log().content());
         if (!written) {
-            error << "canopen-gateway: " << written.error().message << '\n';
+            error << "canopen-gateway: " << base::printable(written.error().message) << '\n';
             return exit_environment;
         }
         out << clipped(fmt::format("log of {} frames: {}", plant_run.log().frames(), options.log), line_width)
@@ -84,7 +85,7 @@ int run(std::span<const char* const> arguments, std::span<const std::uint8_t> im
     Options options;
     std::string mistake;
     if (!parse_options(arguments, options, mistake)) {
-        error << "canopen-gateway: " << mistake << '\n';
+        error << "canopen-gateway: " << base::printable(mistake) << '\n';
         return exit_usage;
     }
     if (options.help) {

@@ -55,8 +55,8 @@ void show_identity(Page& page, const image::Image& image) {
     page.field("CRC-32", fmt::format("{:08x}", image.crc()));
     page.field("written by", "cgw " + tool_version_text(image));
     page.field("identity 1018h",
-               fmt::format("vendor {:08x}h, product {:08x}h,", identity.vendor, identity.product));
-    page.field("", fmt::format("revision {:08x}h, serial {:08x}h", identity.revision, identity.serial));
+               fmt::format("vendor {:08X}h, product {:08X}h,", identity.vendor, identity.product));
+    page.field("", fmt::format("revision {:08X}h, serial {:08X}h", identity.revision, identity.serial));
 }
 
 void show_bus(Page& page, std::string_view name, const image::Bus& bus, std::string_view peer) {
@@ -112,7 +112,7 @@ std::string mapped_text(const image::Image& image, const image::MappedObject& ma
     if (mapped.index == dummy_index) {
         return "dummy";
     }
-    std::string object = fmt::format("{:04x}h:{}", mapped.index, mapped.sub_index);
+    std::string object = fmt::format("{:04X}h:{}", mapped.index, mapped.sub_index);
     if (mapped.parameter == 0) {
         return object;
     }
@@ -128,7 +128,7 @@ void show_pdos(Page& page, const image::Image& image) {
             continue;
         }
         ++active;
-        page.line(fmt::format("  {:<7} {:03x}h  {} bytes, {}", pdo_name(pdo), pdo.cob_id, 2 * pdo.word_count,
+        page.line(fmt::format("  {:<7} {:03X}h  {} bytes, {}", pdo_name(pdo), pdo.cob_id, 2 * pdo.word_count,
                               rhythm(pdo)));
         for (std::size_t word = 0; word < pdo.word_count; ++word) {
             page.line(fmt::format("    word {}  {}", word + 1, mapped_text(image, pdo.mapping[word])));

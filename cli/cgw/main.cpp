@@ -1,3 +1,4 @@
+#include <csignal>
 #include <exception>
 
 #include "cli/cgw/exit_codes.hpp"
@@ -23,6 +24,7 @@ struct Run {
 }  // namespace
 
 int main(int argc, char** argv) {
+    std::signal(SIGXFSZ, SIG_IGN);  // a file-size limit is a write that fails, not a crash
     try {
         const cgw::cli::ParsedCommand parsed = cgw::cli::parse_command_line(argc, argv);
         return parsed.run ? std::visit(Run{}, parsed.command) : parsed.exit_code;

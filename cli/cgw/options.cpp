@@ -98,8 +98,7 @@ class Parser {
         } catch (const CLI::Success& success) {  // --help, --version
             return {false, {}, app_.exit(success) == 0 ? exit_fine : exit_usage};
         } catch (const CLI::ParseError& error) {
-            print_error(error.what());
-            std::fputs("Run cgw --help, or cgw VERB --help.\n", stderr);
+            print_error(fmt::format("{} (see cgw --help, cgw VERB --help)", error.what()));
             return {false, {}, exit_usage};
         }
     }
@@ -187,12 +186,20 @@ class Parser {
         inspect_->add_flag("--json", inspect_options_.json, "As one JSON document");
     }
 
+    static void refuse_dash(const std::string& option, const std::string& path) {
+        if (path == "-") {
+            refuse(fmt::format("{} -: this needs a path; standard output is not possible here", option));
+        }
+    }
+
     Command finish() {
         if (*check_) {
             finish_check();
             return check_options_;
         }
         if (*build_) {
+            refuse_dash("--output", build_options_.directory);
+            refuse_dash("--depfile", build_options_.depfile);
             return build_options_;
         }
         if (*emit_) {
@@ -225,6 +232,7 @@ class Parser {
             refuse(fmt::format("there is no artefact '{}'{} (artefacts: {})", emitter_,
                                did_you_mean(emitter_, names), joined(names)));
         }
+        refuse_dash("--depfile", emit_options_.depfile);
         check_artefact_format();
         check_artefact_options();
         const bool to_stdout = emit_options_.output == "-";

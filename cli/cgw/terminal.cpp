@@ -8,6 +8,7 @@
 #include <cstring>
 #include <string>
 
+#include "base/utf8.hpp"
 #include "cli/cgw/exit_codes.hpp"
 
 namespace cgw::cli {
@@ -22,7 +23,7 @@ bool print(std::string_view text) {
 }
 
 void print_error(std::string_view line) {
-    std::fputs(fmt::format("cgw: {}\n", line).c_str(), stderr);
+    std::fputs(fmt::format("cgw: {}\n", base::printable(line)).c_str(), stderr);
 }
 
 bool is_terminal(std::FILE* stream) {

@@ -2,7 +2,7 @@
 
 #include <filesystem>
 
-#include "base/files.hpp"
+#include "base/utf8.hpp"
 #include "cli/cgw/exit_codes.hpp"
 #include "cli/cgw/terminal.hpp"
 #include "cli/cgw/verbs.hpp"
@@ -38,23 +38,34 @@ int compare(const BuildOptions& options, const std::vector<driver::Artefact>& ar
 }
 
 base::Result<void> write(const BuildOptions& options, const driver::CheckedFile& file,
-                         const std::vector<driver::Artefact>& artefacts) {
-    base::Result<void> written = driver::write_artefacts(options.directory, artefacts);
-    if (written && !options.depfile.empty()) {
+                         std::vector<driver::Artefact> artefacts) {
+    if (!options.depfile.empty()) {
         const std::string target = in_directory(options, artefacts.front().file_name);
-        written = base::write_file(options.depfile,
-                                   base::to_bytes(driver::dependency_file(target, file.dependencies)));
+        artefacts.push_back({std::filesystem::absolute(options.depfile).string(),
+                             base::to_bytes(driver::dependency_file(target, file.dependencies))});
     }
-    return written;
+    return driver::write_artefacts(options.directory, artefacts);
+}
+
+std::vector<std::string> outputs(const BuildOptions& options) {
+    std::vector<std::string> paths;
+    for (const std::string& name : driver::build_file_names()) {
+        paths.push_back(in_directory(options, name));
+    }
+    if (!options.depfile.empty()) {
+        paths.push_back(options.depfile);
+    }
+    return paths;
 }
 
 std::string summary(const BuildOptions& options, const driver::CheckedFile& file, const emit::Plant& plant,
                     const std::vector<driver::Artefact>& artefacts) {
     const std::string& title = file.settings.title;
-    std::string text = fmt::format("{}: {}configuration id {}\n", file.path,
-                                   title.empty() ? "" : title + ", ", plant.configuration_id_text);
+    std::string text =
+        fmt::format("{}: {}configuration id {}\n", base::printable(file.path),
+                    title.empty() ? "" : base::printable(title) + ", ", plant.configuration_id_text);
     for (const driver::Artefact& artefact : artefacts) {
-        text += fmt::format("  {} ({} bytes)\n", in_directory(options, artefact.file_name),
+        text += fmt::format("  {} ({} bytes)\n", base::printable(in_directory(options, artefact.file_name)),
                             artefact.content.size());
     }
     return text + std::string(reminder);
@@ -80,6 +91,10 @@ int build(const BuildOptions& options) {
     const std::vector<driver::Artefact> artefacts = driver::build_artefacts(plant);
     if (options.check) {
         return compare(options, artefacts);
+    }
+    if (const std::string why = driver::clash(outputs(options), file.dependencies); !why.empty()) {
+        print_error(why);
+        return exit_usage;
     }
     if (const base::Result<void> written = write(options, file, artefacts); !written) {
         print_error(written.error().message);

@@ -1,8 +1,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 
-#include "base/files.hpp"
 #include "cli/cgw/exit_codes.hpp"
 #include "cli/cgw/terminal.hpp"
 #include "cli/cgw/verbs.hpp"
@@ -23,12 +23,18 @@ int write_to_stdout(const base::Bytes& content) {
 }
 
 int write_to_file(const EmitOptions& options, const driver::CheckedFile& file, const base::Bytes& content) {
-    base::Result<void> written = base::write_file(options.output, content);
-    if (written && !options.depfile.empty()) {
-        written = base::write_file(
-            options.depfile, base::to_bytes(driver::dependency_file(options.output, file.dependencies)));
+    std::vector<std::string> outputs = {options.output};
+    std::vector<driver::Artefact> files = {{std::filesystem::absolute(options.output).string(), content}};
+    if (!options.depfile.empty()) {
+        outputs.push_back(options.depfile);
+        files.push_back({std::filesystem::absolute(options.depfile).string(),
+                         base::to_bytes(driver::dependency_file(options.output, file.dependencies))});
     }
-    if (!written) {
+    if (const std::string why = driver::clash(outputs, file.dependencies); !why.empty()) {
+        print_error(why);
+        return exit_usage;
+    }
+    if (const base::Result<void> written = driver::write_artefacts(".", files); !written) {
         print_error(written.error().message);
         return exit_environment;
     }

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "base/files.hpp"
+#include "base/utf8.hpp"
 #include "cli/cgw/exit_codes.hpp"
 #include "cli/cgw/image_report.hpp"
 #include "cli/cgw/terminal.hpp"
@@ -22,7 +23,7 @@ struct LoadedImage {
 };
 
 int refuse(const std::string& path, image::Status status) {
-    std::fputs(fmt::format("{}: refused: {} (status {})\n", path, image::to_text(status),
+    std::fputs(fmt::format("{}: refused: {} (status {})\n", base::printable(path), image::to_text(status),
                            static_cast<unsigned>(status))
                    .c_str(),
                stderr);
@@ -57,7 +58,7 @@ int image_verify(const std::string& path) {
     if (loaded.exit_code != exit_fine) {
         return loaded.exit_code;
     }
-    return print(image_summary(path, loaded.image) + "\n") ? exit_fine : exit_environment;
+    return print(image_summary(base::printable(path), loaded.image) + "\n") ? exit_fine : exit_environment;
 }
 
 int image_inspect(const std::string& path, bool json) {
@@ -65,7 +66,8 @@ int image_inspect(const std::string& path, bool json) {
     if (loaded.exit_code != exit_fine) {
         return loaded.exit_code;
     }
-    const std::string text = json ? image_as_json(path, loaded.image) : image_for_people(path, loaded.image);
+    const std::string text =
+        json ? image_as_json(path, loaded.image) : image_for_people(base::printable(path), loaded.image);
     return print(text) ? exit_fine : exit_environment;
 }
 

@@ -104,6 +104,21 @@ Result<void> write_temporary(const std::filesystem::path& temporary, const std::
     return failure(fmt::format("cannot write {}: {}", target.string(), why));
 }
 
+// A device or a pipe is written to, not replaced: --depfile /dev/null, -o /dev/full, a named pipe.
+bool is_special(const std::filesystem::path& target) {
+    std::error_code error;
+    const std::filesystem::file_status status = std::filesystem::status(target, error);
+    return std::filesystem::exists(status) && std::filesystem::is_other(status);
+}
+
+Result<void> write_special(const std::filesystem::path& target, std::span<const std::uint8_t> content) {
+    Descriptor file(::open(target.c_str(), O_WRONLY | O_CLOEXEC));
+    if (file.get() < 0 || !write_all(file.get(), content) || ::close(file.release()) != 0) {
+        return failure(fmt::format("cannot write {}: {}", target.string(), reason()));
+    }
+    return {};
+}
+
 }  // namespace
 
 Result<std::string> read_file(const std::string& path, std::size_t limit) {
@@ -117,16 +132,30 @@ Result<std::string> read_file(const std::string& path, std::size_t limit) {
     return read_all(file.get(), path, limit);
 }
 
+FileSet::FileSet() {
+    sigset_t ending;
+    ::sigemptyset(&ending);
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+        ::sigaddset(&ending, signal);
+    }
+    ::pthread_sigmask(SIG_BLOCK, &ending, &signals_before_);
+}
+
 FileSet::~FileSet() {
     for (const Staged& staged : staged_) {
         ::unlink(staged.temporary.c_str());
     }
+    ::pthread_sigmask(SIG_SETMASK, &signals_before_, nullptr);
 }
 
 Result<void> FileSet::stage(const std::filesystem::path& target, std::span<const std::uint8_t> content) {
     std::error_code error;
     if (std::filesystem::is_directory(target, error)) {
         return failure(fmt::format("cannot write {}: it is a directory", target.string()));
+    }
+    if (is_special(target)) {
+        staged_.push_back({{}, target, Bytes(content.begin(), content.end())});
+        return {};
     }
     if (holds_already(target, content)) {
         return {};
@@ -141,40 +170,43 @@ Result<void> FileSet::stage(const std::filesystem::path& target, std::span<const
     if (Result<void> written = write_temporary(temporary, target, content); !written) {
         return written;
     }
-    staged_.push_back({temporary, real});
+    struct stat old {};
+    if (::stat(real.c_str(), &old) == 0) {
+        ::chmod(temporary.c_str(), old.st_mode & 07777);  // a private file stays private
+    }
+    staged_.push_back({temporary, real, {}});
     return {};
 }
 
 Result<void> FileSet::commit() {
+    for (const Staged& staged : staged_) {
+        if (staged.temporary.empty()) {
+            if (Result<void> written = write_special(staged.target, staged.direct); !written) {
+                return written;
+            }
+        }
+    }
+    std::erase_if(staged_, [](const Staged& staged) { return staged.temporary.empty(); });
+    std::string replaced;  // a rename rarely fails after staging; then the user must know what is new
     while (!staged_.empty()) {
         const Staged& next = staged_.back();
         if (::rename(next.temporary.c_str(), next.target.c_str()) != 0) {
-            return failure(fmt::format("cannot write {}: {}", next.target.string(), reason()));
+            const std::string why = reason();
+            return failure(fmt::format("cannot write {}: {}{}{}", next.target.string(), why,
+                                       replaced.empty() ? "" : "; written already:", replaced));
         }
+        replaced += " " + next.target.string();
         staged_.pop_back();
     }
     return {};
 }
 
-namespace {
-
-// A device or a pipe is written to, not replaced: --depfile /dev/null, -o /dev/full, a named pipe.
-Result<void> write_special(const std::filesystem::path& target, std::span<const std::uint8_t> content) {
-    Descriptor file(::open(target.c_str(), O_WRONLY | O_CLOEXEC));
-    if (file.get() < 0 || !write_all(file.get(), content) || ::close(file.release()) != 0) {
-        return failure(fmt::format("cannot write {}: {}", target.string(), reason()));
-    }
-    return {};
+bool same_file(const std::filesystem::path& a, const std::filesystem::path& b) {
+    std::error_code error;
+    return std::filesystem::equivalent(a, b, error) && !error;
 }
 
-}  // namespace
-
 Result<void> write_file(const std::filesystem::path& target, std::span<const std::uint8_t> content) {
-    std::error_code error;
-    const std::filesystem::file_status status = std::filesystem::status(target, error);
-    if (std::filesystem::exists(status) && std::filesystem::is_other(status)) {
-        return write_special(target, content);
-    }
     FileSet files;
     if (Result<void> staged = files.stage(target, content); !staged) {
         return staged;

@@ -1,6 +1,7 @@
 // Reading whole files and writing them whole or not at all.
 #pragma once
 
+#include <csignal>
 #include <filesystem>
 #include <span>
 #include <string>
@@ -16,10 +17,11 @@ namespace cgw::base {
 Result<std::string> read_file(const std::string& path, std::size_t limit);
 
 // A set of files that appears together: stage() writes beside the target under a temporary name,
-// commit() renames. Whatever was staged and not committed is removed again by the destructor.
+// commit() renames. Whatever was staged and not committed is removed again by the destructor. Signals
+// that end a program (interrupt, terminate, hang-up) wait until then. One set at a time.
 class FileSet {
   public:
-    FileSet() = default;
+    FileSet();
     FileSet(const FileSet&) = delete;
     FileSet& operator=(const FileSet&) = delete;
     ~FileSet();
@@ -30,11 +32,16 @@ class FileSet {
 
   private:
     struct Staged {
-        std::filesystem::path temporary;
+        std::filesystem::path temporary;  // empty: a device or a pipe, which is written to, not replaced
         std::filesystem::path target;
+        Bytes direct;  // its content
     };
     std::vector<Staged> staged_;
+    sigset_t signals_before_{};
 };
+
+// Both paths name the same existing file, by whatever links and spellings.
+bool same_file(const std::filesystem::path& a, const std::filesystem::path& b);
 
 // One file, whole or not at all.
 Result<void> write_file(const std::filesystem::path& target, std::span<const std::uint8_t> content);

@@ -31,10 +31,9 @@ std::string_view read_line(const Node& value, const Reporter& report) {
 }
 
 void report_bad_name(const Node& value, const Reporter& report) {
-    report(
-        rules::declaration_invalid, value.range,
-        fmt::format("\"{}\" is no name: it starts with a letter, has up to {} letters, digits and _ - : . /",
-                    value.text, longest_name));
+    report(rules::declaration_invalid, value.range,
+           fmt::format("{} is no name: it starts with a letter, has up to {} letters, digits and _ - : . /",
+                       toml::quoted(value.text), longest_name));
 }
 
 // A word that is no kind, or a kind whose numbers are others.
@@ -48,7 +47,7 @@ void report_bad_kind(const Node& value, const Draft& draft, const Reporter& repo
         }
     }
     if (!known) {
-        report(rules::key_value, value.range, fmt::format("unknown kind \"{}\"", value.text),
+        report(rules::key_value, value.range, fmt::format("unknown kind {}", toml::quoted(value.text)),
                "kinds are parameter, measurement, function, curve, switch, sensor");
     } else if (draft.row.number != 0) {
         report(rules::declaration_invalid, value.range,
@@ -201,7 +200,7 @@ void read_base(const Node& value, Draft& draft, const Reporter& report) {
         draft.row.base = parameter::Base::hexadecimal;
     } else if (value.text != "decimal") {
         report(rules::key_value, value.range,
-               fmt::format("base \"{}\" is neither \"decimal\" nor \"hexadecimal\"", value.text));
+               fmt::format("base {} is neither \"decimal\" nor \"hexadecimal\"", toml::quoted(value.text)));
     }
 }
 

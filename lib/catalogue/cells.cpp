@@ -1,5 +1,6 @@
 #include "catalogue/cells.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include <fmt/format.h>
@@ -176,6 +177,10 @@ constexpr Cell cells[] = {
 void Reporter::operator()(const diagnostic::Rule& rule, const diagnostic::Range& where, std::string message,
                           std::string help) const {
     findings_.report({&rule, std::move(message), at(where), {}, std::move(help)});
+}
+
+bool Draft::refuses(std::string_view cell) const {
+    return std::find(refused.begin(), refused.end(), cell) != refused.end();
 }
 
 const diagnostic::Range& Draft::where(std::string_view cell) const {

@@ -16,15 +16,15 @@ namespace cgw::catalogue {
 // Reports findings of one file.
 class Reporter {
   public:
-    Reporter(const std::string& path, diagnostic::Findings& findings) : path_(path), findings_(findings) {}
+    Reporter(std::string_view path, diagnostic::Findings& findings) : path_(path), findings_(findings) {}
 
     void operator()(const diagnostic::Rule& rule, const diagnostic::Range& where, std::string message,
                     std::string help = {}) const;
-    diagnostic::Location at(const diagnostic::Range& where) const { return {path_, where}; }
+    diagnostic::Location at(const diagnostic::Range& where) const { return {std::string(path_), where}; }
     diagnostic::Findings& findings() const { return findings_; }
 
   private:
-    const std::string& path_;
+    std::string_view path_;
     diagnostic::Findings& findings_;
 };
 
@@ -35,6 +35,8 @@ struct Draft {
     Draft& operator=(const Draft&) = delete;
 
     bool says(std::string_view cell) const { return table.find(cell) != nullptr; }
+    // A cell that is there and has a finding: it counts as given, but its value takes part in nothing.
+    bool refuses(std::string_view cell) const;
     // Where to point at for a cell: its value, or the table's header when it is not there.
     const diagnostic::Range& where(std::string_view cell) const;
 
@@ -43,9 +45,10 @@ struct Draft {
     std::vector<std::string_view> aliases;
     std::vector<std::string_view> misprints;
     std::vector<std::uint32_t> choices;
-    std::uint16_t count = 0;  // array elements; 0: no array
-    std::uint16_t last = 0;   // of a range of rows; 0: one row
-    bool kind_known = false;  // `kind` was there and fits the number
+    std::vector<std::string_view> refused;  // cells
+    std::uint16_t count = 0;                // array elements; 0: no array
+    std::uint16_t last = 0;                 // of a range of rows; 0: one row
+    bool kind_known = false;                // `kind` was there and fits the number
 };
 
 struct Cell {

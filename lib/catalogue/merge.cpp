@@ -3,17 +3,20 @@
 #include <algorithm>
 #include <charconv>
 #include <deque>
+#include <iterator>
+#include <optional>
 
 #include <fmt/format.h>
 
 #include "catalogue/kinds.hpp"
+#include "catalogue/row_checks.hpp"
+#include "catalogue/values.hpp"
 
 namespace cgw::catalogue {
 
 namespace {
 
 using parameter::Catalogue;
-using parameter::List;
 using parameter::Row;
 namespace rules = diagnostic::rules;
 
@@ -94,8 +97,7 @@ Row fill(const Row& known, const Row& said, const Draft& draft, const Reporter& 
         return merged;
     }
     for (const Cell& cell : all_cells()) {
-        const bool refused = cell.name == "width" && cell.blank(said);  // a finding already
-        if (cell.shown == nullptr || !draft.says(cell.name) || refused) {
+        if (cell.shown == nullptr || !draft.says(cell.name) || draft.refuses(cell.name)) {
             continue;
         }
         if (cell.blank(known)) {
@@ -129,100 +131,9 @@ bool names_are_free(const Row& row, const Draft& draft, const Catalogue& catalog
     return free;
 }
 
-void require(std::string_view cell, const Row& row, const Draft& draft, const Reporter& report) {
-    report(rules::key_missing, draft.table.range, fmt::format("`{}` of {} is missing", cell, row.number));
-}
-
-bool fits(const parameter::Scaling& scaling, unsigned width, bool is_signed) {
-    const std::int32_t steps = std::int32_t{1} << width;
-    const std::int32_t lowest = is_signed ? -steps / 2 : 0;
-    return scaling.internal_minimum >= lowest && scaling.internal_maximum < lowest + steps;
-}
-
-// D13: what a TPDO carries is known with its width and sign. The gateway's own measurements are never sent.
-void check_width(Row& row, const Row* known, const Draft& draft, const Reporter& report) {
-    const bool sent = row.device == parameter::Device::governor;
-    const bool was_known = known != nullptr && known->width != 0;
-    if (row.width == 0 && !draft.says("width") && (sent || draft.says("signed"))) {
-        require("width", row, draft, report);
-    } else if (row.width > 1 && !was_known && !draft.says("signed")) {
-        require("signed", row, draft, report);
-    }
-    if (sent && row.width == 0) {
-        constexpr std::uint8_t after_a_finding = 16;  // so that its use in a TPDO is not another one
-        row.width = after_a_finding;
-    }
-}
-
-void check_scaling(Row& row, const Draft& draft, const Reporter& report) {
-    if (!row.scaling) {
-        return;
-    }
-    const parameter::Scaling& scaling = *row.scaling;
-    if (scaling.internal_minimum == scaling.internal_maximum) {
-        if (!draft.says("internal")) {
-            require("internal", row, draft, report);
-        }
-        row.scaling.reset();
-    } else if (row.is_bit()) {
-        report(rules::declaration_invalid, draft.where("internal"), "a bit has no internal range");
-        row.scaling.reset();
-    } else if (row.width != 0 && !fits(scaling, row.width, row.is_signed)) {
-        report(rules::declaration_invalid, draft.where("internal"),
-               fmt::format("internal [{}, {}] does not fit {} bits, {}", scaling.internal_minimum,
-                           scaling.internal_maximum, row.width, row.is_signed ? "signed" : "unsigned"));
-        row.scaling.reset();
-    }
-}
-
-void check_settable(const Row& row, const Draft& draft, bool declaration, const Reporter& report) {
-    for (const Cell& cell : all_cells()) {
-        if (cell.of_measurement && draft.says(cell.name)) {
-            report(rules::declaration_invalid, draft.where(cell.name),
-                   fmt::format("`{}` describes measurements, and {} is a {}", cell.name, row.number,
-                               kind_of(row)));
-        }
-    }
-    if (declaration && row.name.empty()) {
-        require("name", row, draft, report);
-    }
-}
-
-void check_choices(const Row& row, const Draft& draft, const Reporter& report) {
-    for (const std::uint32_t choice : row.choices) {
-        if (choice < row.minimum.value_or(choice) || choice > row.maximum.value_or(choice)) {
-            report(rules::declaration_invalid, draft.where("choices"),
-                   fmt::format("choice {} is outside the range of {}", choice, row.number));
-        }
-    }
-}
-
-void check_row(Row& row, const Row* known, const Draft& draft, bool declaration, const Reporter& report) {
-    if (known == nullptr && !draft.kind_known) {
-        if (!draft.says("kind")) {
-            require("kind", row, draft, report);
-        }
-        row.list = List::measurement;  // the likeliest, so that this is the only finding
-        return;
-    }
-    if (draft.kind_known && kind_of(draft.row) != kind_of(row)) {
-        return;  // a contradiction, reported
-    }
-    if (row.list == List::measurement) {
-        if (row.name.empty()) {
-            require("name", row, draft, report);
-        }
-        check_width(row, known, draft, report);
-        check_scaling(row, draft, report);
-    } else {
-        check_settable(row, draft, declaration, report);
-    }
-    check_choices(row, draft, report);
-}
-
 // What shapes the expansion; reported once for all its rows.
 void check_shape(const Draft& draft, const Reporter& report) {
-    if (draft.count != 0 && (draft.last != 0 || draft.row.name.empty())) {
+    if (draft.count != 0 && (draft.last != 0 || !draft.says("name"))) {
         report(rules::declaration_invalid, draft.where("count"), "an array has a `name` and no `last`");
     }
     if (draft.last != 0 && (draft.says("name") || draft.says("aliases"))) {
@@ -233,9 +144,23 @@ void check_shape(const Draft& draft, const Reporter& report) {
         report(rules::declaration_invalid, draft.where("misprints"), "misprints belong to single rows");
     }
     const int end = draft.row.number + draft.count - 1;
-    if (draft.says("list_end") && (draft.count == 0 || draft.row.list_end < end)) {
+    const bool end_is_known = !draft.refuses("count") && !draft.refuses("list_end");
+    if (draft.says("list_end") && end_is_known && (draft.count == 0 || draft.row.list_end < end)) {
         report(rules::declaration_invalid, draft.where("list_end"),
                "list_end belongs to an array and is not before its end");
+    }
+}
+
+// A switch and its type stand 4000 apart: a refused declaration of one leaves the other one's number usable.
+void put_partner(const Row& row, const Draft& draft, Catalogue& catalogue) {
+    constexpr std::uint16_t distance = 4000;
+    Row partner;
+    partner.device = row.device;
+    partner.number =
+        static_cast<std::uint16_t>(row.number < distance ? row.number + distance : row.number - distance);
+    if (catalogue.find(partner.device, partner.number) == nullptr && partner.number != 0) {
+        stand_in(partner, draft);
+        catalogue.put(partner);
     }
 }
 
@@ -256,9 +181,17 @@ const Row* merge(const Draft& draft, bool declaration, Catalogue& catalogue, con
         Row row = known != nullptr ? fill(*known, one.row, draft, report) : one.row;
         check_row(row, known, draft, declaration, report);
         if (!names_are_free(row, draft, catalogue, report)) {
-            return nullptr;
+            if (draft.count != 0) {
+                return nullptr;
+            }
+            const Row before = known != nullptr ? *known : Row{};
+            row.name = before.name;  // the number stays usable
+            row.aliases = before.aliases;
         }
         const Row* added = catalogue.put(row);
+        if (known == nullptr && names_a_pair(draft)) {
+            put_partner(row, draft, catalogue);
+        }
         first = offset == 0 ? added : first;
     }
     return first;
@@ -270,15 +203,17 @@ void check_references(const toml::Node& table, parameter::Device device, const C
     if (external == nullptr) {
         return;
     }
-    for (const toml::Node& element : external->value.elements) {
-        const toml::Entry* entry = element.find("parameter");
-        if (entry == nullptr || entry->value.integer < 1 || entry->value.integer > highest_number) {
-            continue;
-        }
-        const Row* row = catalogue.find(device, static_cast<std::uint16_t>(entry->value.integer));
-        if (row == nullptr || !row->settable()) {
-            report(rules::declaration_invalid, entry->value.range,
-                   fmt::format("{} is no settable parameter of the {}", entry->value.text, to_text(device)));
+    diagnostic::Findings reported_before;
+    const std::optional<Limits> limits = read_limits(external->value, Reporter({}, reported_before));
+    if (!limits) {
+        return;
+    }
+    const std::uint16_t references[] = {limits->low.reference, limits->high.reference};
+    for (std::size_t i = 0; i < std::size(references); ++i) {
+        const Row* row = catalogue.find(device, references[i]);
+        if (references[i] != 0 && (row == nullptr || !row->settable())) {
+            report(rules::declaration_invalid, external->value.elements[i].find("parameter")->value.range,
+                   fmt::format("{} is no settable parameter of the {}", references[i], to_text(device)));
         }
     }
 }

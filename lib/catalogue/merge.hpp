@@ -6,7 +6,7 @@
 
 namespace cgw::catalogue {
 
-// `draft` has a number. Adds its rows and returns the first; nullptr when its name is taken.
+// `draft` has a number. Adds its rows and returns the first; nullptr when an array cannot be one.
 // Rows are added after findings too, so that one mistake does not bring others behind it.
 const parameter::Row* merge(const Draft& draft, bool declaration, parameter::Catalogue& catalogue,
                             const Reporter& report);

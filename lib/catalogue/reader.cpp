@@ -31,7 +31,7 @@ bool has_type(const Node& value, toml::Kind type) {
 void report_unknown(const toml::Entry& entry, std::span<const std::string_view> known,
                     const Reporter& report) {
     const std::string near = base::nearest_name(entry.key, known);
-    report(rules::key_unknown, entry.key_range, fmt::format("unknown key `{}`", entry.key),
+    report(rules::key_unknown, entry.key_range, fmt::format("unknown key {}", toml::quoted(entry.key)),
            near.empty() ? "" : fmt::format("did you mean `{}`?", near));
 }
 
@@ -62,28 +62,36 @@ void read_cells(Draft& draft, bool declaration, const Reporter& report) {
         if (entry == nullptr || (declaration && !cell.in_declaration)) {
             continue;
         }
+        const std::size_t findings_before = report.findings().all().size();
         if (has_type(entry->value, cell.type)) {
             cell.read(entry->value, draft, report);
         } else {
             report_type(*entry, cell.type, report);
         }
+        if (report.findings().all().size() != findings_before) {
+            draft.refused.push_back(cell.name);
+        }
     }
 }
 
-// What declarations must not do though a catalogue may.
-void check_declared_kind(const Draft& draft, const Reporter& report) {
+// What declarations must not do though a catalogue may. False after a finding.
+bool check_declared_kind(const Draft& draft, const Reporter& report) {
     const toml::Entry* entry = draft.table.find("kind");
     if (entry == nullptr || !draft.kind_known) {
-        return;
+        return true;
     }
     const Kind* kind = find_kind(entry->value.text, draft.row.device, draft.row.number);
     if (kind->first_declared == 0) {
         report(rules::key_value, entry->value.range,
                fmt::format("a declaration's kind is measurement, switch or sensor, not {}", kind->name));
-    } else if (draft.row.number < kind->first_declared) {
+        return false;
+    }
+    if (draft.row.number < kind->first_declared && draft.row.number != 0) {
         report(rules::declaration_invalid, draft.where("number"),
                fmt::format("{} is the engine stop, which is known and cannot be declared", draft.row.number));
+        return false;
     }
+    return true;
 }
 
 // Reads one row and merges it; nullptr when its number is not usable or there was a finding.
@@ -96,10 +104,8 @@ const parameter::Row* read_row(const Node& table, Device device, bool declaratio
     if (!draft.says("number")) {
         report(rules::key_missing, table.range, "`number` is missing");
     }
-    if (declaration) {
-        check_declared_kind(draft, report);
-    }
-    if (draft.row.number == 0) {
+    const bool may_declare = !declaration || check_declared_kind(draft, report);
+    if (draft.row.number == 0 || (!may_declare && catalogue.find(device, draft.row.number) != nullptr)) {
         return nullptr;
     }
     const parameter::Row* row = merge(draft, declaration, catalogue, report);
@@ -123,7 +129,7 @@ std::optional<Device> read_device(const Node& root, const Reporter& report) {
         }
     }
     report(rules::key_value, entry->value.range,
-           fmt::format(R"(device "{}" is neither "governor" nor "gateway")", entry->value.text));
+           fmt::format(R"(device {} is neither "governor" nor "gateway")", toml::quoted(entry->value.text)));
     return std::nullopt;
 }
 
@@ -136,7 +142,8 @@ void check_profile(const Node& root, Device device, const Reporter& report) {
         report_type(*entry, toml::Kind::string, report);
     } else if (entry->value.text != profile_of(device)) {
         report(rules::key_value, entry->value.range,
-               fmt::format("unknown profile \"{}\" of a {}", entry->value.text, parameter::to_text(device)),
+               fmt::format("unknown profile {} of a {}", toml::quoted(entry->value.text),
+                           parameter::to_text(device)),
                fmt::format("the profile is \"{}\"", profile_of(device)));
     }
 }

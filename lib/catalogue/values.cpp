@@ -71,10 +71,16 @@ bool is_number_and_name(std::string_view text) {
 }
 
 bool is_line(std::string_view text) {
-    return !text.empty() && std::none_of(text.begin(), text.end(), [](char c) {
+    unsigned char before = 0;
+    for (const char c : text) {
         const auto byte = static_cast<unsigned char>(c);
-        return byte < 0x20 || byte == 0x7F;
-    });
+        const bool is_c1_control = before == 0xC2 && byte < 0xA0;  // U+0080..U+009F in UTF-8
+        if (byte < 0x20 || byte == 0x7F || is_c1_control) {
+            return false;
+        }
+        before = byte;
+    }
+    return !text.empty();
 }
 
 std::optional<std::pair<double, double>> read_pair(const Node& value, std::string_view cell,
@@ -113,6 +119,11 @@ std::optional<Limits> read_limits(const Node& value, const Reporter& report) {
         report(rules::declaration_invalid, value.range,
                fmt::format("`external` does not ascend: {} to {}", base::to_text(*low->constant),
                            base::to_text(*high->constant)));
+        return std::nullopt;
+    }
+    if (low->reference != 0 && low->reference == high->reference) {
+        report(rules::declaration_invalid, value.range,
+               fmt::format("`external` has parameter {} for both limits", low->reference));
         return std::nullopt;
     }
     return Limits{*low, *high};

@@ -57,15 +57,17 @@ void judge_unknown(const Context& context, const Assignment& assignment, std::ui
     if (row != nullptr && row->is_bit()) {
         return;
     }
-    const std::string found = row == nullptr
-                                  ? fmt::format("{}, which no catalogue knows", number)
+    const bool is_setting = row != nullptr && row->settable();
+    const std::string found = row == nullptr ? fmt::format("{}, which no catalogue knows", number)
+                              : is_setting
+                                  ? fmt::format("{}, a parameter and no measurement", parameter::label(*row))
                                   : fmt::format("{}, whose width is not known", parameter::label(*row));
     context.findings.report(
         {.rule = &rules::tpdo_parameter_unknown,
          .message = fmt::format("{} is {}; the governor leaves out what it cannot send (manual 7.1.2.2)",
                                 parameter::label(*assignment.row), found),
          .where = assignment.where,
-         .help = declaration(number, row)});
+         .help = is_setting ? std::string() : declaration(number, row)});
 }
 
 void judge_bit(const Context& context, const Assignment& assignment, std::uint16_t number, const Row* row) {

@@ -7,6 +7,7 @@
 namespace cgw::device {
 namespace {
 
+constexpr std::uint16_t engine_state_bits = 0x00FF;          // D22: the low byte
 constexpr std::uint8_t error_register_generic = 0x01;        // D58: any error
 constexpr std::uint8_t error_register_communication = 0x10;  // D58: 2005h is not 0
 
@@ -127,7 +128,7 @@ void Gateway::store(const GovernorData& data) {
         any_error = any_error || data.errors[word] != 0;
     }
     if (places_.has_engine_state) {
-        set(places_.engine_state, data.engine_state);
+        set(places_.engine_state, data.engine_state & engine_state_bits);
     }
     for (std::size_t position = binary_pdos; position < transmit_pdos; ++position) {
         store_analogue(position, data.analogue[position - binary_pdos]);

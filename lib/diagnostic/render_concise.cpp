@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include "base/utf8.hpp"
 #include "diagnostic/renderers.hpp"
 #include "diagnostic/source_lines.hpp"
 
@@ -10,7 +11,7 @@ std::string render_concise(const RenderInput& input) {
     for (const FileReport& file : input.files) {
         for (const Diagnostic& finding : file.findings) {
             text += fmt::format("{}: {}: {} [{} {}]\n", to_text(finding.where), to_text(finding.level()),
-                                printable(finding.message), finding.rule->code, finding.rule->name);
+                                base::printable(finding.message), finding.rule->code, finding.rule->name);
         }
     }
     return text;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/utf8.hpp"
 #include "diagnostic/renderers.hpp"
 #include "diagnostic/source_lines.hpp"
 
@@ -39,7 +40,7 @@ void append_help(std::string& text, std::string_view help) {
     std::string_view lead = "  help: ";
     while (!help.empty()) {
         const std::size_t end = std::min(help.find('\n'), help.size());
-        text += fmt::format("{}{}\n", lead, printable(help.substr(0, end)));
+        text += fmt::format("{}{}\n", lead, base::printable(help.substr(0, end)));
         help.remove_prefix(std::min(end + 1, help.size()));
         lead = "        ";
     }
@@ -48,11 +49,11 @@ void append_help(std::string& text, std::string_view help) {
 void append_finding(std::string& text, const Diagnostic& finding, SourceLines& lines, bool color) {
     const Colors c = colors_for(finding.level(), color);
     text += fmt::format("{}{}:{} {}{}:{} {} [{} {}]\n", c.bold, to_text(finding.where), c.end, c.level,
-                        to_text(finding.level()), c.end, printable(finding.message), finding.rule->code,
+                        to_text(finding.level()), c.end, base::printable(finding.message), finding.rule->code,
                         finding.rule->name);
     text += lines.excerpt(finding.where, '^', c.level, c.end);
     for (const Related& related : finding.related) {
-        text += fmt::format("  see {}: {}\n", to_text(related.where), printable(related.message));
+        text += fmt::format("  see {}: {}\n", to_text(related.where), base::printable(related.message));
         text += lines.excerpt(related.where, '-', c.bold, c.end);
     }
     append_help(text, finding.help);

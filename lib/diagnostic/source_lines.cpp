@@ -24,7 +24,7 @@ std::vector<Glyph> glyphs_of(std::string_view line) {
         const std::size_t length = base::utf8_sequence_length(line.substr(at));
         if (length == 0) {
             glyphs.push_back({at + 1, "?"});
-        } else if (length == 1 && (static_cast<unsigned char>(line[at]) < 0x20 || line[at] == 0x7F)) {
+        } else if (base::is_control(line.substr(at, length))) {
             glyphs.push_back({at + 1, " "});
         } else {
             glyphs.push_back({at + 1, std::string(line.substr(at, length))});
@@ -36,18 +36,8 @@ std::vector<Glyph> glyphs_of(std::string_view line) {
 
 }  // namespace
 
-std::string printable(std::string_view text) {
-    std::string result(text);
-    for (char& c : result) {
-        if (static_cast<unsigned char>(c) < 0x20 || c == 0x7F) {
-            c = '?';
-        }
-    }
-    return result;
-}
-
 std::string to_text(const Location& where) {
-    const std::string path = where.path == "-" ? "<stdin>" : printable(where.path);
+    const std::string path = where.path == "-" ? "<stdin>" : base::printable(where.path);
     if (where.range.start.line == 0) {
         return path;
     }

@@ -28,9 +28,6 @@ class SourceLines {
     std::map<std::string, std::vector<std::size_t>> starts_;  // offset of each line, filled on demand
 };
 
-// Control characters as '?', so that a name from a hostile file cannot steer the terminal.
-std::string printable(std::string_view text);
-
 // `path:line:column`, or the path alone for a whole file.
 std::string to_text(const Location& where);
 

@@ -93,9 +93,31 @@ bool up_to_date(const std::filesystem::path& path, const base::Bytes& content) {
     return present && base::to_bytes(*present) == content;
 }
 
+std::string clash(const std::vector<std::string>& outputs, const std::vector<std::string>& inputs) {
+    const auto normal = [](const std::string& path) {
+        return std::filesystem::absolute(path).lexically_normal();
+    };
+    for (auto output = outputs.begin(); output != outputs.end(); ++output) {
+        for (const std::string& input : inputs) {
+            if (base::same_file(*output, input)) {
+                return fmt::format("{} is an input file and is not overwritten", *output);
+            }
+        }
+        for (auto other = outputs.begin(); other != output; ++other) {
+            if (normal(*other) == normal(*output) || base::same_file(*other, *output)) {
+                return fmt::format("{} and {} are the same file", *other, *output);
+            }
+        }
+    }
+    return {};
+}
+
 std::string dependency_file(const std::string& target, const std::vector<std::string>& dependencies) {
     std::string text = escape_for_make(target) + ":";
     for (const std::string& dependency : dependencies) {
+        if (dependency == "-") {
+            continue;  // standard input is nothing to wait for
+        }
         text += " \\\n  " + escape_for_make(dependency);
     }
     return text + "\n";

@@ -23,9 +23,14 @@ std::vector<Artefact> build_artefacts(const emit::Plant& plant);
 std::vector<std::string> build_file_names();
 
 // Creates the directory when it is missing (and removes it again when nothing could be written).
-// Nothing is visible before all is staged; identical files stay untouched.
+// Nothing is visible before all is staged; identical files stay untouched. An artefact whose name is an
+// absolute path goes there.
 base::Result<void> write_artefacts(const std::filesystem::path& directory,
                                    const std::vector<Artefact>& artefacts);
+
+// Why `outputs` may not be written: one of them is a file that was read, or two of them are the same.
+// Empty when they may. "-" is no file.
+std::string clash(const std::vector<std::string>& outputs, const std::vector<std::string>& inputs);
 
 // Names of those artefacts whose file in `directory` is missing or differs.
 std::vector<std::string> stale_artefacts(const std::filesystem::path& directory,

@@ -29,7 +29,6 @@ class SimulatedGovernor final : public device::GovernorLink, public Participant 
 
     const Engine& engine() const { return engine_; }
     const CanopenInputs& inputs() const { return inputs_; }
-    std::uint64_t main_cycles() const { return main_cycles_; }
 
   private:
     void initialise_gateway(Time now);

@@ -35,8 +35,9 @@ class CanopenInputs {
 
     const image::Image* image_;
     bool operational_ = false;
-    std::array<bool, device::words_per_pdo> received_{};
-    std::array<device::PdoWords, 4> words_{};
+    static constexpr std::size_t receive_pdos = 4;
+    std::array<bool, receive_pdos> received_{};
+    std::array<device::PdoWords, receive_pdos> words_{};
 };
 
 }  // namespace cgw::simulation

@@ -47,6 +47,21 @@ TEST(Utf8, accepts_exactly_the_well_formed_sequences) {
     }
 }
 
+TEST(Printable, lets_nothing_through_that_steers_a_terminal) {
+    EXPECT_EQ(base::printable("plain \xC3\xA4 \xE2\x82\xAC"), "plain \xC3\xA4 \xE2\x82\xAC");
+    EXPECT_EQ(base::printable("a\x1B[31m\n\x7F"), "a?[31m??");
+    EXPECT_EQ(base::printable("\xC2\x9B"
+                              "31m"),
+              "?31m");  // C1: 8-bit CSI
+    EXPECT_EQ(base::printable("\xE2\x80\xAE\xE2\x80\x8B\xEF\xBB\xBF"),
+              "???");  // bidi override, zero width, BOM
+    EXPECT_EQ(base::printable("\xFF\x9B"), "??");
+    EXPECT_TRUE(base::has_control("a\xC2\x85"));
+    EXPECT_FALSE(
+        base::has_control("Gr\xC3\xB6\xC3\x9F"
+                          "e"));
+}
+
 TEST(JsonWriter, separates_nests_and_escapes) {
     base::JsonWriter json;
     json.begin_object()

@@ -107,7 +107,7 @@ TEST_F(Declaration, says_which_kind_it_is) {
     EXPECT_EQ(declare("number = 7000\nname = \"Other\"\nkind = \"parameter\""),
               "4:8 key-value: a declaration's kind is measurement, switch or sensor, not parameter\n");
     EXPECT_EQ(declare("number = 7001\nname = \"Other2\"\nkind = \"valve\""),
-              "4:8 key-value: unknown kind \"valve\"\n");
+              "4:8 key-value: unknown kind `valve`\n");
 }
 
 TEST_F(Declaration, of_a_switch_or_sensor_has_one_of_its_numbers) {

@@ -13,9 +13,9 @@ TEST_F(ReadCatalogueFindings, refuses_what_is_not_a_catalogue) {
     EXPECT_EQ(file("[[row]]\nnumber = 1\n"), "0:0 key-missing: `device` is missing\n");
     EXPECT_EQ(file("device = 1\n"), "1:10 key-type: `device` is a string, not an integer\n");
     EXPECT_EQ(file("device = \"motor\"\n"),
-              "1:10 key-value: device \"motor\" is neither \"governor\" nor \"gateway\"\n");
+              "1:10 key-value: device `motor` is neither \"governor\" nor \"gateway\"\n");
     EXPECT_EQ(file(governor + "profile = \"native\"\n"),
-              "2:11 key-value: unknown profile \"native\" of a governor\n");
+              "2:11 key-value: unknown profile `native` of a governor\n");
     EXPECT_EQ(file(governor + "profile = 2\n"), "2:11 key-type: `profile` is a string, not an integer\n");
     EXPECT_EQ(file(governor + "rows = []\n"), "2:1 key-unknown: unknown key `rows`\n");
     EXPECT_EQ(findings.all()[0].help, "did you mean `row`?");
@@ -96,7 +96,11 @@ TEST_F(ReadCatalogueFindings, refuses_a_name_that_another_number_has) {
               "4:8 declaration-invalid: the name Speed belongs to 2000 already\n");
     EXPECT_EQ(row("number = 7005\nname = \"CanOpRPDO1-4Cyc\"\nkind = \"curve\""),
               "4:8 declaration-invalid: the name CanOpRPDO1-4Cyc belongs to 16480 already\n");
-    EXPECT_EQ(find(7000), nullptr);
+    EXPECT_EQ(find(7000)->name, "");  // its number stays usable
+    EXPECT_EQ(find(7002), nullptr);
+    EXPECT_EQ(row("number = 401\naliases = [\"CanBaudrate\"]"),
+              "4:11 declaration-invalid: the name CanBaudrate belongs to 416 already\n");
+    EXPECT_EQ(find(401)->name, "CanMyNodeNumber");
 }
 
 TEST_F(ReadCatalogueFindings, refuses_names_that_could_be_taken_for_something_else) {
@@ -112,9 +116,9 @@ TEST_F(ReadCatalogueFindings, refuses_names_that_could_be_taken_for_something_el
 
 TEST_F(ReadCatalogueFindings, refuses_words_it_does_not_know) {
     EXPECT_EQ(row("number = 7000\nkind = \"meassurement\"\nwidth = 16\nname = \"X\""),
-              "4:8 key-value: unknown kind \"meassurement\"\n");
+              "4:8 key-value: unknown kind `meassurement`\n");
     EXPECT_EQ(row("number = 7001\nkind = \"curve\"\nbase = \"octal\""),
-              "5:8 key-value: base \"octal\" is neither \"decimal\" nor \"hexadecimal\"\n");
+              "5:8 key-value: base `octal` is neither \"decimal\" nor \"hexadecimal\"\n");
 }
 
 TEST_F(ReadCatalogueFindings, knows_switches_and_sensors_by_their_numbers) {

@@ -167,6 +167,19 @@ class Usage(Verb):
         self.assert_usage("-o PATH", "emit", "eds", GENSET, "--check")
         self.assert_usage("--output", "build", GENSET)
 
+    def test_arguments_cannot_steer_the_terminal(self):
+        for arguments in (["x\x1b[31m"], ["emit", "x\x1b[31m", GENSET], ["check", "--format", "\x1b[31m", GENSET],
+                          ["emit", "eds", GENSET, "-o", "none/\x1b[31m"], ["check", "\x1b[31m\u009b"],
+                          ["image", "verify", "no\x1b[31m"]):
+            result = cgw(*arguments)
+            self.assertNotEqual(result.returncode, 0)
+            self.assertNotIn(b"\x1b", result.stdout + result.stderr, arguments)
+            self.assertNotIn("\u009b".encode(), result.stdout + result.stderr, arguments)
+
+    def test_a_usage_mistake_is_one_line_with_the_programs_name(self):
+        text = cgw("check").stderr.decode()
+        self.assertRegex(text, r"\Acgw: [^\n]*\n\Z")
+
     def test_help_and_version_go_to_stdout(self):
         result = cgw("--version")
         self.assertEqual((result.returncode, result.stdout.decode()), (0, f"cgw {os.environ['CGW_VERSION']}\n"))
@@ -216,6 +229,36 @@ class Build(Verb):
         self.assertEqual(self.files(out), ["pdo-table.md"])
         (self.dir / "file").write_text("")
         self.assertEqual(cgw("build", GENSET, "-o", self.dir / "file").returncode, 3)
+
+    def test_an_input_is_never_overwritten(self):
+        plant = self.dir / "pdo-table.md"
+        shutil.copy(GENSET, plant)
+        before = plant.read_bytes()
+        link = self.dir / "link"
+        link.symlink_to(plant)
+        out = self.dir / "x.eds"
+        for arguments in (("emit", "eds", plant, "-o", plant), ("emit", "eds", plant, "-o", link),
+                          ("emit", "eds", plant, "-o", out, "--depfile", plant),
+                          ("build", plant, "-o", self.dir), ("build", plant, "-o", self.dir / "d", "--depfile", link),
+                          ("emit", "eds", plant, "-o", out, "--depfile", out)):
+            result = cgw(*arguments)
+            self.assertEqual((result.returncode, result.stdout), (2, b""), arguments)
+            self.assertRegex(result.stderr.decode(), "is an input file|are the same file")
+        self.assertEqual(plant.read_bytes(), before)
+        self.assertEqual(self.files(self.dir), ["link", "pdo-table.md"])
+
+    def test_a_failing_depfile_leaves_no_artefact(self):
+        for depfile in ("/dev/full", self.dir / "none" / "d"):
+            result = cgw("build", GENSET, "-o", self.dir / "out", "--depfile", depfile)
+            self.assertEqual((result.returncode, result.stdout), (3, b""))
+            self.assertFalse((self.dir / "out").exists())
+        self.assertEqual(cgw("build", GENSET, "-o", "-").returncode, 2)
+
+    def test_a_file_size_limit_is_a_failed_write(self):
+        script = f'ulimit -f 8; exec "{CGW}" build "{GENSET}" -o "{self.dir}/out"'
+        result = subprocess.run(["bash", "-c", script], capture_output=True, timeout=60)
+        self.assertEqual((result.returncode, result.stdout), (3, b""), result.stderr)
+        self.assertFalse((self.dir / "out").exists())
 
     def test_check_and_list_outputs(self):
         out = self.dir / "out"

@@ -80,7 +80,7 @@ TEST_F(GatewayTransmit, sends_the_engine_state_in_tpdo3_when_that_is_active) {
     }
     start();
     cycle();
-    data_.engine_state = 0x0081;
+    data_.engine_state = 0x7F81;  // only the low byte counts (D22)
     const std::vector<frame::Frame> frames = cycle();
     EXPECT_EQ(frames.front(), make_frame(0x385, {0x81, 0x00}));
     EXPECT_EQ(upload(0x2000, 7), 0x81U);
