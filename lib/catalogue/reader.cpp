@@ -41,22 +41,28 @@ void report_type(const toml::Entry& entry, toml::Kind type, const Reporter& repo
         fmt::format("`{}` is {}, not {}", entry.key, toml::to_text(type), toml::to_text(entry.value.kind)));
 }
 
-void report_unknown_cells(const Node& table, bool declaration, const Reporter& report) {
+// A misspelt cell counts as given and refused, so that it is not reported as missing too.
+void report_unknown_cells(Draft& draft, bool declaration, const Reporter& report) {
     std::vector<std::string_view> known;
     for (const Cell& cell : all_cells()) {
         if (!declaration || cell.in_declaration) {
             known.push_back(cell.name);
         }
     }
-    for (const toml::Entry& entry : table.entries) {
-        if (std::find(known.begin(), known.end(), entry.key) == known.end()) {
-            report_unknown(entry, known, report);
+    for (const toml::Entry& entry : draft.table.entries) {
+        if (std::find(known.begin(), known.end(), entry.key) != known.end()) {
+            continue;
+        }
+        report_unknown(entry, known, report);
+        const std::string near = base::nearest_name(entry.key, known);
+        if (const auto meant = std::find(known.begin(), known.end(), near); meant != known.end()) {
+            draft.refused.push_back(*meant);
         }
     }
 }
 
 void read_cells(Draft& draft, bool declaration, const Reporter& report) {
-    report_unknown_cells(draft.table, declaration, report);
+    report_unknown_cells(draft, declaration, report);
     for (const Cell& cell : all_cells()) {
         const toml::Entry* entry = draft.table.find(cell.name);
         if (entry == nullptr || (declaration && !cell.in_declaration)) {
@@ -101,7 +107,7 @@ const parameter::Row* read_row(const Node& table, Device device, bool declaratio
     Draft draft(table);
     draft.row.device = device;
     read_cells(draft, declaration, report);
-    if (!draft.says("number")) {
+    if (!draft.says("number") && !draft.refuses("number")) {
         report(rules::key_missing, table.range, "`number` is missing");
     }
     const bool may_declare = !declaration || check_declared_kind(draft, report);

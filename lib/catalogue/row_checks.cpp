@@ -77,7 +77,7 @@ void check_settable(const Row& row, const Draft& draft, bool declaration, const 
                                kind_of(row)));
         }
     }
-    if (declaration && row.name.empty() && !draft.says("name")) {
+    if (declaration && row.name.empty() && !draft.says("name") && !draft.refuses("name")) {
         require("name", row, draft, report);
     }
 }
@@ -97,7 +97,7 @@ void check_choices(const Row& row, const Draft& draft, const Reporter& report) {
 void check_cells(const Row& row, const Row* known, const Draft& draft, bool declaration,
                  const Reporter& report) {
     if (row.list == List::measurement) {
-        if (row.name.empty() && !draft.says("name")) {
+        if (row.name.empty() && !draft.says("name") && !draft.refuses("name")) {
             require("name", row, draft, report);
         }
         if (check_width(row, known, draft, report)) {
@@ -131,7 +131,7 @@ bool is_numbered_as_measurement(std::uint16_t number) {
 
 bool names_a_pair(const Draft& draft) {
     const toml::Entry* entry = draft.table.find("kind");
-    return draft.refuses("kind") &&
+    return entry != nullptr && draft.refuses("kind") &&
            std::any_of(all_kinds().begin(), all_kinds().end(), [&](const Kind& kind) {
                return kind.role != parameter::Role::none && kind.name == entry->value.text;
            });
@@ -150,7 +150,7 @@ void stand_in(Row& row, const Draft& draft) {
 
 void check_row(Row& row, const Row* known, const Draft& draft, bool declaration, const Reporter& report) {
     if (known == nullptr && !draft.kind_known) {
-        if (!draft.says("kind")) {
+        if (!draft.says("kind") && !draft.refuses("kind")) {
             require("kind", row, draft, report);
         }
         stand_in(row, draft);

@@ -1,6 +1,8 @@
 // What the readers of the file's tables share.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <span>
 #include <string>
 #include <string_view>
@@ -27,7 +29,13 @@ struct Context {
     diagnostic::Findings& findings;
     ParameterFile& file;
     Postponed postponed{};
+    std::array<bool, 2> misplaced{};  // by device: it has no table of parameters, and they stand elsewhere
 
+    // True for the first key of such a device; that one is reported, and neither the others nor what is
+    // missing.
+    bool is_first_misplaced(parameter::Device device) {
+        return !std::exchange(misplaced[static_cast<std::size_t>(device)], true);
+    }
     parameter::Settings& settings() { return file.settings; }
     diagnostic::Location at(const diagnostic::Range& range) const { return {path, range}; }
 

@@ -15,9 +15,12 @@ namespace {
 namespace rules = diagnostic::rules;
 
 // False when the file is written in a format that this program does not read. A missing or mistyped format
-// is a finding, and the file is read as format 1.
+// is a finding, here or when the sections are read, and the file is read as format 1.
 bool check_format(Context& context, const toml::Node& document) {
     const toml::Entry* format = document.find("format");
+    if (format == nullptr) {
+        format = misspelt_at_top(document, "format");  // reported with the sections
+    }
     if (format == nullptr) {
         context.report(rules::format_missing, document.range, "the file does not say its format",
                        fmt::format("begin it with format = {}", parameter_file_format));
@@ -57,6 +60,9 @@ ReadResult read_parameter_file(std::string_view text, const std::string& path,
     result.file.settings.declarations = catalogue.added();
     read_parameters(context, parameter::Device::governor, context.postponed.governor_parameters);
     read_parameters(context, parameter::Device::gateway, context.postponed.gateway_parameters);
+    // A key in one device's table may belong to the other.
+    report_missing(context, parameter::Device::governor);
+    report_missing(context, parameter::Device::gateway);
     return result;
 }
 

@@ -3,10 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
+#include <utility>
 
 #include "base/edit_distance.hpp"
 #include "base/numbers.hpp"
+#include "input/required.hpp"
 
 namespace cgw::input {
 
@@ -23,6 +26,11 @@ Device other_device(Device device) {
 
 parameter::ParameterSet& set_of(Context& context, Device device) {
     return device == Device::governor ? context.settings().governor : context.settings().gateway;
+}
+
+const std::vector<const toml::Entry*>& tables_of(const Context& context, Device device) {
+    return device == Device::governor ? context.postponed.governor_parameters
+                                      : context.postponed.gateway_parameters;
 }
 
 const Row* row_of(const Catalogue& catalogue, Device device, const Spelling& spelling) {
@@ -55,14 +63,23 @@ void reject_array(parameter::ParameterSet& set, const Row& row) {
     }
 }
 
-// A bare number that is one digit away from others.
-void reject_neighbours(const Catalogue& catalogue, Device device, parameter::ParameterSet& set,
-                       std::string_view number) {
-    for (const Row* row : catalogue.rows(device)) {
-        if (row->settable() && base::edit_distance(number, fmt::format("{}", row->number)) == 1) {
-            set.reject(row->number);
+// "4.3" is a table in a table to TOML, and 403 with a slip in it to its author.
+std::vector<std::string> texts_of(const toml::Entry& entry) {
+    constexpr std::size_t longest = 6;  // a number of five digits and one more character
+    std::vector<std::string> texts;
+    const auto add = [&](std::string text) {
+        if (text.size() <= longest && text.find_first_of("0123456789") != text.npos) {
+            texts.push_back(std::move(text));
         }
+    };
+    if (entry.key.size() > longest) {
+        return texts;
     }
+    add(entry.key);
+    for (const toml::Entry& below : entry.value.entries) {
+        add(below.key.size() < longest ? entry.key + "." + below.key : "");
+    }
+    return texts;
 }
 
 }  // namespace
@@ -142,41 +159,128 @@ void KeyResolver::report_mismatch(const toml::Entry& entry, const Spelling& spel
 }
 
 void KeyResolver::report_unknown(const toml::Entry& entry, const Spelling& spelling) {
+    const Row* foreign = in_other_device(spelling);
+    if (foreign != nullptr && foreign->settable() && tables_of(context_, foreign->device).empty() &&
+        !context_.is_first_misplaced(foreign->device)) {
+        return;
+    }
     context_.report(
         rules::parameter_unknown, entry.key_range,
         fmt::format("the {} has no parameter {}", parameter::to_text(device_), toml::quoted(entry.key)),
-        help_for_unknown(spelling));
+        help_for_unknown(entry, spelling, foreign));
 }
 
 const Row* KeyResolver::in_other_device(const Spelling& spelling) const {
     return row_of(context_.catalogue, other_device(device_), spelling);
 }
 
-std::string KeyResolver::help_for_unknown(const Spelling& spelling) {
-    if (suggestions_left_ == 0) {
-        return {};
-    }
-    --suggestions_left_;
-    if (spelling.name.empty()) {
-        reject_neighbours(context_.catalogue, device_, set_of(context_, device_), spelling.number_text);
-    }
-    if (const Row* row = in_other_device(spelling)) {
-        set_of(context_, row->device).reject(row->number);
-        const std::string_view device = parameter::to_text(row->device);
-        return row->settable() ? fmt::format("{} belongs to the {}: write it in [{}.parameters]",
-                                             parameter::label(*row), device, device)
-                               : fmt::format("{} is a measurement of the {}", parameter::label(*row), device);
-    }
-    if (!spelling.name.empty()) {
-        if (names_.empty()) {
-            names_ = context_.catalogue.names(device_);
+void KeyResolver::enter(const toml::Node& table) {
+    table_ = &table;
+    written_.reset();
+}
+
+bool KeyResolver::is_written(std::uint16_t number) {
+    if (!written_) {
+        written_.emplace();
+        for (const toml::Entry& entry : table_->entries) {
+            if (const Row* row = resolve_silently(context_.catalogue, device_, entry.key)) {
+                written_->insert(row->number);
+            }
         }
-        if (const std::string near = base::nearest_name(spelling.name, names_); !near.empty()) {
+    }
+    return written_->contains(number);
+}
+
+KeyResolver::Rows KeyResolver::needed() const {
+    Rows rows;
+    const auto add = [&](Device device, std::uint16_t number) {
+        const Row* row = device == device_ ? context_.catalogue.find(device, number) : nullptr;
+        if (row != nullptr) {
+            rows.push_back(row);
+        }
+    };
+    for (const Required& required : required_parameters) {
+        add(required.device, required.number);
+    }
+    for (const Expected& expected : communication_switches) {
+        add(expected.device, expected.number);
+    }
+    return rows;
+}
+
+// Once the suggestions are used up, only what would be reported as missing is looked at.
+std::string KeyResolver::nearest(std::string_view name, bool is_thorough) {
+    std::vector<std::string_view> needed_names;
+    if (!is_thorough) {
+        for (const Row* row : needed()) {
+            needed_names.push_back(row->name);
+        }
+    } else if (names_.empty()) {
+        names_ = context_.catalogue.names(device_);
+    }
+    return base::nearest_name(name, is_thorough ? names_ : needed_names);
+}
+
+// The parameters whose number is one character away from the key and that the table does not set.
+KeyResolver::Rows KeyResolver::neighbours(const toml::Entry& entry, bool is_thorough) {
+    Rows found;
+    for (const std::string& text : texts_of(entry)) {
+        for (const Row* row : is_thorough ? context_.catalogue.rows(device_) : needed()) {
+            if (row->settable() && base::edit_distance(text, fmt::format("{}", row->number)) == 1 &&
+                !is_written(row->number)) {
+                found.push_back(row);
+            }
+        }
+    }
+    return found;
+}
+
+const Row* KeyResolver::likeliest(const Rows& rows) const {
+    const Rows wanted = needed();
+    Rows both;
+    std::copy_if(rows.begin(), rows.end(), std::back_inserter(both), [&](const Row* row) {
+        return std::find(wanted.begin(), wanted.end(), row) != wanted.end();
+    });
+    if (both.size() == 1) {
+        return both.front();
+    }
+    return rows.size() == 1 ? rows.front() : nullptr;
+}
+
+void KeyResolver::reject_needed_neighbours(const toml::Entry& entry) {
+    for (const Row* row : neighbours(entry, false)) {
+        set_of(context_, device_).reject(row->number);
+    }
+}
+
+std::string KeyResolver::help_for_unknown(const toml::Entry& entry, const Spelling& spelling,
+                                          const Row* foreign) {
+    const bool is_thorough = suggestions_left_ > 0;
+    suggestions_left_ -= is_thorough ? 1 : 0;
+    if (foreign == nullptr && !spelling.name.empty()) {
+        if (const std::string near = nearest(spelling.name, is_thorough); !near.empty()) {
             reject_array(set_of(context_, device_), *context_.catalogue.find(device_, near));
-            return fmt::format("did you mean `{}`?", near);
+            return is_thorough ? fmt::format("did you mean `{}`?", near) : "";
         }
     }
-    return "what the shipped catalogue does not know can be added by a file: catalogue = [\"...\"]";
+    const Rows meant = neighbours(entry, is_thorough);
+    for (const Row* row : meant) {
+        set_of(context_, device_).reject(row->number);
+    }
+    if (foreign != nullptr) {
+        set_of(context_, foreign->device).reject(foreign->number);
+        const std::string_view device = parameter::to_text(foreign->device);
+        return foreign->settable()
+                   ? fmt::format("{} belongs to the {}: write it in [{}.parameters]",
+                                 parameter::label(*foreign), device, device)
+                   : fmt::format("{} is a measurement of the {}", parameter::label(*foreign), device);
+    }
+    if (const Row* row = is_thorough ? likeliest(meant) : nullptr) {
+        return fmt::format("did you mean {}?", parameter::label(*row));
+    }
+    return is_thorough
+               ? "what the shipped catalogue does not know can be added by a file: catalogue = [\"...\"]"
+               : "";
 }
 
 }  // namespace cgw::input

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -29,19 +30,36 @@ class KeyResolver {
   public:
     KeyResolver(Context& context, parameter::Device device) : context_(context), device_(device) {}
 
+    // The table whose keys follow: what it sets by another key was not meant by an unknown one.
+    void enter(const toml::Node& table);
+
     // After a finding about a number that exists, or about a name or number that is nearly one, what was
     // probably meant is rejected in the device's set.
     const parameter::Row* resolve(const toml::Entry& entry);
 
+    // For a key that means something, but not what it should: the parameters nobody can do without that are
+    // one character away are rejected, unless the table sets them.
+    void reject_needed_neighbours(const toml::Entry& entry);
+
   private:
+    using Rows = std::vector<const parameter::Row*>;
+
     void report_mismatch(const toml::Entry& entry, const Spelling& spelling);
     void report_unknown(const toml::Entry& entry, const Spelling& spelling);
-    std::string help_for_unknown(const Spelling& spelling);
+    std::string help_for_unknown(const toml::Entry& entry, const Spelling& spelling,
+                                 const parameter::Row* foreign);
     const parameter::Row* in_other_device(const Spelling& spelling) const;
+    std::string nearest(std::string_view name, bool is_thorough);
+    Rows neighbours(const toml::Entry& entry, bool is_thorough);
+    const parameter::Row* likeliest(const Rows& rows) const;
+    Rows needed() const;
+    bool is_written(std::uint16_t number);
 
     Context& context_;
     parameter::Device device_;
     std::vector<std::string_view> names_;
+    const toml::Node* table_ = nullptr;
+    std::optional<std::set<std::uint16_t>> written_;  // what table_ sets; made when it is first asked for
     int suggestions_left_ = 50;
 };
 

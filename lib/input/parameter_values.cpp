@@ -9,6 +9,7 @@
 
 #include "base/numbers.hpp"
 #include "input/parameter_keys.hpp"
+#include "input/required.hpp"
 
 namespace cgw::input {
 namespace {
@@ -22,19 +23,6 @@ using parameter::Row;
 using toml::Entry;
 using toml::Kind;
 using toml::Node;
-
-// No default: nobody can guess them. A bit rate gives way to manual timing.
-struct Required {
-    Device device;
-    std::uint16_t number;
-    std::uint16_t manual_timing;  // when this one is 1 the number may be missing; 0: never
-};
-
-constexpr Required required_parameters[] = {
-    {Device::governor, 401, 0},   {Device::governor, 403, 0}, {Device::governor, 416, 4416},
-    {Device::gateway, 401, 0},    {Device::gateway, 402, 0},  {Device::gateway, 416, 4416},
-    {Device::gateway, 426, 4426}, {Device::gateway, 427, 0},
-};
 
 std::string with_unit(const Row& row) {
     return row.unit.empty() ? "" : fmt::format(" {}", row.unit);
@@ -88,12 +76,14 @@ class ParameterReader {
           keys_(context, device) {}
 
     void read(const Node& table) {
+        keys_.enter(table);
         for (const Entry& entry : table.entries) {
             const Row* row = keys_.resolve(entry);
             if (row == nullptr) {
                 continue;
             }
             if (!row->settable()) {
+                keys_.reject_needed_neighbours(entry);
                 context_.report(rules::parameter_not_settable, entry.key_range,
                                 fmt::format("{} is a measurement and cannot be set", parameter::label(*row)));
             } else if (entry.value.kind == Kind::array) {
@@ -104,31 +94,7 @@ class ParameterReader {
         }
     }
 
-    void report_missing(const diagnostic::Range& where) {
-        for (const Required& required : required_parameters) {
-            if (required.device != device_ || is_there(required.number) ||
-                (required.manual_timing != 0 &&
-                 (set_.value(required.manual_timing) == 1 || set_.rejected(required.manual_timing)))) {
-                continue;
-            }
-            const Row* row = context_.catalogue.find(device_, required.number);
-            const Row* manual = context_.catalogue.find(device_, required.manual_timing);
-            context_.report(
-                rules::parameter_missing, where,
-                fmt::format("{} of the {} is missing and has no default",
-                            row != nullptr ? parameter::label(*row) : fmt::format("{}", required.number),
-                            parameter::to_text(device_)),
-                manual != nullptr
-                    ? fmt::format("set it, or {} = 1 and the bit timing by hand", parameter::label(*manual))
-                    : "");
-        }
-    }
-
   private:
-    bool is_there(std::uint16_t number) const {
-        return set_.find(number) != nullptr || set_.rejected(number);
-    }
-
     // The last number that a list starting at `row` may reach (D16): the end of its array, or further where
     // the row says so (16400).
     static std::uint16_t list_end(const Row& row) {
@@ -164,6 +130,7 @@ class ParameterReader {
     void assign(const Row& row, const Entry& entry, const Node& value, const diagnostic::Range& place) {
         const auto [first, is_new] = places_.try_emplace(row.number, context_.at(place));
         if (!is_new) {
+            keys_.reject_needed_neighbours(entry);
             context_.findings.report({&rules::parameter_duplicate,
                                       fmt::format("{} is set twice", parameter::label(row)),
                                       context_.at(place),
@@ -171,6 +138,9 @@ class ParameterReader {
             return;
         }
         if (!check_value(row, value)) {
+            if (value.kind == Kind::table) {
+                keys_.reject_needed_neighbours(entry);
+            }
             set_.reject(row.number);
             return;
         }
@@ -224,7 +194,35 @@ void read_parameters(Context& context, Device device, std::span<const Entry* con
     for (const Entry* table : tables) {
         reader.read(table->value);
     }
-    reader.report_missing(place.range);
+}
+
+void report_missing(Context& context, Device device) {
+    if (context.misplaced[static_cast<std::size_t>(device)]) {
+        return;
+    }
+    const ParameterSet& set = context.settings().of(device);
+    const auto is_there = [&](std::uint16_t number) {
+        return set.find(number) != nullptr || set.rejected(number);
+    };
+    const Location& place =
+        device == Device::governor ? context.settings().governor_table : context.settings().gateway_table;
+    for (const Required& required : required_parameters) {
+        if (required.device != device || is_there(required.number) ||
+            (required.manual_timing != 0 &&
+             (set.value(required.manual_timing) == 1 || set.rejected(required.manual_timing)))) {
+            continue;
+        }
+        const Row* row = context.catalogue.find(device, required.number);
+        const Row* manual = context.catalogue.find(device, required.manual_timing);
+        context.report(
+            rules::parameter_missing, place.range,
+            fmt::format("{} of the {} is missing and has no default",
+                        row != nullptr ? parameter::label(*row) : fmt::format("{}", required.number),
+                        parameter::to_text(device)),
+            manual != nullptr
+                ? fmt::format("set it, or {} = 1 and the bit timing by hand", parameter::label(*manual))
+                : "");
+    }
 }
 
 }  // namespace cgw::input

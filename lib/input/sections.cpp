@@ -66,12 +66,15 @@ void read_profile(Context& context, const Entry& entry) {
     }
 }
 
+void keep_governor_parameters(Context& context, const Entry& entry) {
+    context.postponed.governor_parameters.push_back(&entry);
+}
+
 constexpr Key governor_keys[] = {
     {"profile", Kind::string, optional, Limit::none, 0, 0, read_profile},
     {"main_cycle_us", Kind::integer, optional, Limit::value, 1000, 1'000'000,
      [](Context& context, const Entry& entry) { context.settings().main_cycle_us = unsigned_of(entry); }},
-    {"parameters", Kind::table, optional, Limit::none, 0, 0,
-     [](Context& context, const Entry& entry) { context.postponed.governor_parameters.push_back(&entry); }},
+    {"parameters", Kind::table, optional, Limit::none, 0, 0, keep_governor_parameters},
     {"declare", Kind::array, optional, Limit::none, 0, 0,
      [](Context& context, const Entry& entry) { context.postponed.declarations.push_back(&entry); }},
 };
@@ -149,13 +152,16 @@ constexpr Key bit_timing_keys[] = {
 };
 constexpr Table bit_timing_table{"gateway.bit_timing", bit_timing_keys};
 
+void keep_gateway_parameters(Context& context, const Entry& entry) {
+    context.postponed.gateway_parameters.push_back(&entry);
+}
+
 constexpr Key gateway_keys[] = {
     {"identity", Kind::table, optional, Limit::none, 0, 0,
      [](Context& context, const Entry& entry) { read_table(context, entry.value, identity_table); }},
     {"bit_timing", Kind::table, optional, Limit::none, 0, 0,
      [](Context& context, const Entry& entry) { read_table(context, entry.value, bit_timing_table); }},
-    {"parameters", Kind::table, optional, Limit::none, 0, 0,
-     [](Context& context, const Entry& entry) { context.postponed.gateway_parameters.push_back(&entry); }},
+    {"parameters", Kind::table, optional, Limit::none, 0, 0, keep_gateway_parameters},
 };
 constexpr Table gateway_table{"gateway", gateway_keys, parameter::Device::gateway};
 
@@ -202,7 +208,12 @@ constexpr Key document_top_keys[] = {
     {"network", Kind::table, split, Limit::none, 0, 0,
      [](Context& context, const Entry& entry) { read_table(context, entry.value, network_table); }},
 };
-constexpr Table top_table{"", document_top_keys};
+
+constexpr Key joined_keys[] = {
+    {"governor.parameters", Kind::table, optional, Limit::none, 0, 0, keep_governor_parameters},
+    {"gateway.parameters", Kind::table, optional, Limit::none, 0, 0, keep_gateway_parameters},
+};
+constexpr Table top_table{"", document_top_keys, std::nullopt, joined_keys};
 
 // Where a catalogue's findings point: its name seen from where the user is.
 std::string beside(const std::string& file, const std::string& name) {
@@ -222,6 +233,10 @@ void read_one_catalogue(Context& context, const Node& name, const CatalogueLoade
 }
 
 }  // namespace
+
+const toml::Entry* misspelt_at_top(const Node& document, std::string_view name) {
+    return misspelt(document, top_table, name);
+}
 
 void read_sections(Context& context, const Node& document) {
     read_table(context, document, top_table);

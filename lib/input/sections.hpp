@@ -5,6 +5,9 @@
 
 namespace cgw::input {
 
+// The key at the top of the file that was probably meant to be `name`; nullptr when there is none.
+const toml::Entry* misspelt_at_top(const toml::Node& document, std::string_view name);
+
 // Reads the whole document except what it leaves in context.postponed.
 void read_sections(Context& context, const toml::Node& document);
 

@@ -4,15 +4,18 @@
 
 #include <algorithm>
 #include <functional>
+#include <optional>
 #include <set>
 #include <vector>
 
 #include "base/edit_distance.hpp"
+#include "base/utf8.hpp"
 #include "input/parameter_keys.hpp"
 
 namespace cgw::input {
 
 namespace rules = diagnostic::rules;
+using parameter::Device;
 using toml::Entry;
 using toml::Kind;
 using toml::Node;
@@ -45,13 +48,12 @@ bool check_integer(Context& context, const Node& value, std::int64_t minimum, st
 bool check_text(Context& context, const Node& value, std::int64_t minimum, std::int64_t maximum,
                 std::string_view what) {
     const auto size = static_cast<std::int64_t>(value.text.size());
-    const auto is_control = [](char c) { return (c >= 0 && c < ' ') || c == '\x7F'; };
     std::string message;
     if (size < minimum) {
         message = fmt::format("{} is empty", what);
     } else if (size > maximum) {
         message = fmt::format("{} has {} bytes, more than {}", what, size, maximum);
-    } else if (std::any_of(value.text.begin(), value.text.end(), is_control)) {
+    } else if (base::has_control(value.text)) {
         message = fmt::format("{} contains a control character", what);
     } else {
         return true;
@@ -86,17 +88,65 @@ std::string place_of(const Table& table) {
     return table.name.empty() ? "at the top of the file" : fmt::format("in [{}]", table.name);
 }
 
-std::vector<std::string_view> names_of(const Table& table) {
+std::vector<std::string_view> names_of(std::span<const Key> keys) {
     std::vector<std::string_view> names;
-    std::transform(table.keys.begin(), table.keys.end(), std::back_inserter(names),
+    std::transform(keys.begin(), keys.end(), std::back_inserter(names),
                    [](const Key& key) { return key.name; });
     return names;
 }
 
-void report_unknown(Context& context, const Entry& entry, const Table& table) {
-    std::string help = did_you_mean(entry.key, names_of(table));
+const Key* find_key(std::span<const Key> keys, std::string_view name) {
+    const auto key =
+        std::find_if(keys.begin(), keys.end(), [&](const Key& candidate) { return candidate.name == name; });
+    return key == keys.end() ? nullptr : &*key;
+}
+
+// [gatewayparameters] for [gateway.parameters]
+const Key* lost_dot(const Entry& entry, const Table& table) {
+    return entry.value.kind == Kind::table
+               ? find_key(table.joined, base::nearest_name(entry.key, names_of(table.joined)))
+               : nullptr;
+}
+
+bool has_parameters(const Node& node, const Table& table, Device device) {
+    if (table.device) {
+        return node.find("parameters") != nullptr;
+    }
+    const Entry* section = node.find(parameter::to_text(device));
+    return section != nullptr && section->value.find("parameters") != nullptr;
+}
+
+// The device whose parameters were to stand below a header that is not there, when this is one of them.
+std::optional<Device> misplaced_device(const Context& context, const Node& node, const Entry& entry,
+                                       const Table& table) {
+    if (entry.value.kind == Kind::table || !(table.device || table.name.empty())) {
+        return std::nullopt;
+    }
+    for (const Device device : {Device::governor, Device::gateway}) {
+        if ((!table.device || table.device == device) && !has_parameters(node, table, device) &&
+            resolve_silently(context.catalogue, device, entry.key) != nullptr) {
+            return device;
+        }
+    }
+    return std::nullopt;
+}
+
+void report_unknown(Context& context, const Node& node, const Entry& entry, const Table& table) {
+    const std::optional<Device> misplaced = misplaced_device(context, node, entry, table);
+    if (misplaced && !context.is_first_misplaced(*misplaced)) {
+        return;
+    }
+    std::string help = did_you_mean(entry.key, names_of(table.keys));
+    if (const Key* joined = help.empty() ? lost_dot(entry, table) : nullptr) {
+        help = fmt::format("did you mean [{}]?", joined->name);
+    }
     if (table.device && resolve_silently(context.catalogue, *table.device, entry.key) != nullptr) {
         help = fmt::format("parameters of the {} stand in [{}.parameters]", table.name, table.name);
+    }
+    if (misplaced) {
+        const std::string_view device = parameter::to_text(*misplaced);
+        help = fmt::format("parameters of the {} stand in [{}.parameters], and the file has no such header",
+                           device, device);
     }
     const bool is_table = entry.value.kind == Kind::table;
     context.report(
@@ -105,24 +155,42 @@ void report_unknown(Context& context, const Entry& entry, const Table& table) {
         std::move(help));
 }
 
+// The table that one under an unknown name is read as; nullptr when it was meant to be none, or one that is
+// there as well.
+const Key* meant_table(const Node& node, const Entry& entry, const Table& table, std::string_view near) {
+    if (entry.value.kind != Kind::table) {
+        return nullptr;
+    }
+    if (near.empty()) {
+        return lost_dot(entry, table);
+    }
+    const Key* key = find_key(table.keys, near);
+    const bool is_free = key->presence == Presence::split || node.find(near) == nullptr;
+    return key->kind == Kind::table && is_free ? key : nullptr;
+}
+
 }  // namespace
+
+const Entry* misspelt(const Node& node, const Table& table, std::string_view name) {
+    const std::vector<std::string_view> names = names_of(table.keys);
+    const auto is_meant = [&](const Entry& entry) {
+        return find_key(table.keys, entry.key) == nullptr && base::nearest_name(entry.key, names) == name;
+    };
+    const auto entry = std::find_if(node.entries.begin(), node.entries.end(), is_meant);
+    return entry == node.entries.end() ? nullptr : &*entry;
+}
 
 void read_table(Context& context, const Node& node, const Table& table) {
     // One slip, one finding: the key that was probably meant is not missing, and a table is read as it.
-    std::set<std::string, std::less<>> misspelt;
+    std::set<std::string, std::less<>> meant;
     for (const Entry& entry : node.entries) {
-        auto key = std::find_if(table.keys.begin(), table.keys.end(),
-                                [&](const Key& candidate) { return candidate.name == entry.key; });
-        if (key == table.keys.end()) {
-            report_unknown(context, entry, table);
-            const std::string meant = base::nearest_name(entry.key, names_of(table));
-            misspelt.insert(meant);
-            key = std::find_if(table.keys.begin(), table.keys.end(), [&](const Key& candidate) {
-                return candidate.name == meant && candidate.kind == Kind::table &&
-                       entry.value.kind == Kind::table &&
-                       (candidate.presence == Presence::split || node.find(meant) == nullptr);
-            });
-            if (key == table.keys.end()) {
+        const Key* key = find_key(table.keys, entry.key);
+        if (key == nullptr) {
+            report_unknown(context, node, entry, table);
+            const std::string near = base::nearest_name(entry.key, names_of(table.keys));
+            meant.insert(near);
+            key = meant_table(node, entry, table, near);
+            if (key == nullptr) {
                 continue;
             }
         }
@@ -133,7 +201,7 @@ void read_table(Context& context, const Node& node, const Table& table) {
         }
     }
     for (const Key& key : table.keys) {
-        if (key.presence == Presence::required && !misspelt.contains(key.name) &&
+        if (key.presence == Presence::required && !meant.contains(key.name) &&
             node.find(key.name) == nullptr) {
             context.report(rules::key_missing, node.range,
                            fmt::format("`{}` is missing {}", key.name, place_of(table)));

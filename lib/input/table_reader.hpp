@@ -38,11 +38,17 @@ struct Table {
     std::string_view name;  // for messages; "" for the top of the file
     std::span<const Key> keys;
     std::optional<parameter::Device> device{};  // whose parameters users may have put here by mistake
+    std::span<const Key>
+        joined{};  // "a.b" of tables below, whose header is a key of this one when its dot is lost
 };
 
 // A slip in a key is one finding: the key that was probably meant does not count as missing, and a table is
 // read as the one that was meant unless that one is there as well.
 void read_table(Context& context, const toml::Node& node, const Table& table);
+
+// The key of `node` that was probably meant to be `name`, under a name the table does not have; nullptr when
+// there is none.
+const toml::Entry* misspelt(const toml::Node& node, const Table& table, std::string_view name);
 
 // False after a finding. `what` names the value in messages.
 bool check_type(Context& context, const toml::Node& value, toml::Kind kind, std::string_view what);

@@ -193,3 +193,19 @@ TEST_F(RefusedDeclaration, of_a_known_form_is_not_judged_by_the_form_it_contradi
 }
 
 }  // namespace
+
+// A misspelt cell is that finding only: it is not missing as well.
+TEST_F(RefusedDeclaration, a_misspelt_cell_is_one_finding) {
+    for (const std::string& cells :
+         {"numbr = 2990\nname = \"Torque\"\n" + word, "number = 2990\nnam = \"Torque\"\n" + word,
+          std::string(
+              "number = 2990\nname = \"Torque\"\nkin = \"measurement\"\nwidth = 16\nsigned = false\n"),
+          std::string(
+              "number = 2990\nname = \"Torque\"\nkind = \"measurement\"\nwidht = 16\nsigned = false\n"),
+          std::string(
+              "number = 2990\nname = \"Torque\"\nkind = \"measurement\"\nwidth = 16\nsignd = false\n")}) {
+        const std::string text = declare(cells);
+        EXPECT_EQ(findings.all().size(), 1U) << cells << text;
+        EXPECT_NE(text.find("unknown key"), std::string::npos) << text;
+    }
+}

@@ -1,7 +1,11 @@
 // The samples, and what one slip of the finger in the genset's file gives: one finding, at the slip.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
+#include <iterator>
+#include <string>
+#include <vector>
 
 #include "check/file_checker.hpp"
 #include "check/findings_text.hpp"
@@ -200,6 +204,69 @@ TEST(OneSlip, in_a_number_is_not_reported_as_missing_too) {
     EXPECT_EQ(minimal_findings_after("427 = 1", "47 = 1"), "parameter-unknown");
     EXPECT_EQ(minimal_findings_after("4406 = 1", "4407 = 1"), "parameter-unknown");
     EXPECT_EQ(minimal_findings_after("402 = 1", "\"402 CanDCNodeNumbr\" = 1"), "parameter-name-mismatch");
+}
+
+TEST(OneSlip, in_a_number_that_is_no_number_any_more_is_one_finding_too) {
+    EXPECT_EQ(minimal_findings_after("403 = 1", "c03 = 1"), "parameter-unknown");
+    EXPECT_EQ(minimal_findings_after("403 = 1", "4O3 = 1"), "parameter-unknown");
+    EXPECT_EQ(minimal_findings_after("403 = 1", "4.3 = 1"), "parameter-unknown");
+    EXPECT_EQ(minimal_findings_after("4406 = 1", "44O6 = 1"), "parameter-unknown");
+    EXPECT_EQ(minimal_findings_after("4406 = 1", "4406b = 1"), "parameter-unknown");
+    EXPECT_EQ(minimal_findings_after("4406 = 1", "440.6 = 1"), "parameter-unknown");
+    EXPECT_EQ(minimal_findings_after("401 = 1", "40l = 1"), "parameter-unknown");
+    EXPECT_EQ(minimal_findings_after("401 = 1     # CanMyNodeNumber\n", "2401 = 1\n"),
+              "parameter-not-settable");
+}
+
+TEST(OneSlip, in_a_header_is_one_finding) {
+    for (const char* header : {"[gateway6parameters]", "[gatewayparameters]", "[gateway_parameters]"}) {
+        EXPECT_EQ(minimal_findings_after("[gateway.parameters]", header), "key-unknown") << header;
+    }
+    EXPECT_EQ(minimal_findings_after("[governor.parameters]", "[governor_parameters]"), "key-unknown");
+}
+
+TEST(OneSlip, that_takes_a_header_away_is_one_finding) {
+    EXPECT_EQ(minimal_findings_after("[governor.parameters]", "#governor.parameters]"), "key-unknown");
+    EXPECT_EQ(minimal_findings_after("[governor.parameters]", "[governor]"), "key-unknown");
+    EXPECT_EQ(minimal_findings_after("[gateway.parameters]", "[gateway]"), "key-unknown");
+}
+
+TEST(OneSlip, in_the_format_is_one_finding) {
+    EXPECT_EQ(minimal_findings_after("format = 1", "fomat = 1"), "key-unknown");
+}
+
+std::vector<bool> outside_comments(const std::string& text) {
+    std::vector<bool> outside;
+    bool in_comment = false;
+    for (const char c : text) {
+        in_comment = c != '\n' && (in_comment || c == '#');
+        outside.push_back(!in_comment);
+    }
+    return outside;
+}
+
+void expect_one_finding_at_most(const std::string& text, const std::string& slip) {
+    parameter::Catalogue rows(catalogue::shipped_rows());
+    const auto findings = test::check_text(text, "minimal.toml", {}, rows).findings;
+    EXPECT_LE(findings.all().size(), 1U) << slip << "\n" << findings_text(findings);
+}
+
+// No exceptions: TOML that is damaged (a lost bracket, quote or line end) is one finding as well.
+TEST(OneSlip, anywhere_in_minimal_is_one_finding_at_most) {
+    const std::string minimal = sample("minimal.toml");
+    const std::vector<bool> outside = outside_comments(minimal);
+    int slips_made = 0;
+    for (std::size_t i = 0; i < minimal.size(); ++i) {
+        if (!outside[i]) {
+            continue;
+        }
+        const auto place = position_in(minimal, i);
+        const std::string at = fmt::format("{}:{}", place.line, place.column);
+        expect_one_finding_at_most(std::string(minimal).erase(i, 1), at + " deleted");
+        expect_one_finding_at_most(std::string(minimal).replace(i, 1, "x"), at + " x");
+        slips_made += 2;
+    }
+    EXPECT_GT(slips_made, 300);
 }
 
 }  // namespace

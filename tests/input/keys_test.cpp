@@ -184,6 +184,52 @@ TEST(InputKeys, the_first_of_two_values_holds) {
     EXPECT_EQ(outcome.settings().governor.value(4406), 1);
 }
 
+// In place of "403 = 1" in [governor.parameters], with the table's other keys around it.
+std::string instead_of_403(const std::string& line) {
+    return show(read(head + gateway + "[governor.parameters]\n401 = 1\n" + line + "\n416 = 250\n").findings);
+}
+
+TEST(InputKeys, a_number_with_a_slip_in_it_is_one_finding) {
+    for (const char* key : {"c03", "4O3", "4o3", "40E", "4033", "43", "043", "\"40 3\""}) {
+        const std::string shown = key[0] == '"' ? "40 3" : key;
+        EXPECT_EQ(
+            instead_of_403(std::string(key) + " = 1"),
+            "E0105 11:1 the governor has no parameter `" + shown + "` | did you mean 403 CanCMNodeNumber?");
+    }
+    EXPECT_EQ(instead_of_403("4.3 = 1"),
+              "E0105 11:1 the governor has no parameter `4` | did you mean 403 CanCMNodeNumber?");
+    EXPECT_EQ(governor_findings("44O6 = 1\n"),
+              "E0105 13:1 the governor has no parameter `44O6` | did you mean 4406 CanCommCMOn?");
+}
+
+TEST(InputKeys, a_number_that_became_another_one_is_one_finding) {
+    EXPECT_EQ(show(read(head + gateway + "[governor.parameters]\nCanMyNodeNumber = 1\n401 = 1\n416 = 250\n")
+                       .findings),
+              "E0108 11:1 401 CanMyNodeNumber is set twice [first set here 10:1]");
+    EXPECT_EQ(show(read(head + governor +
+                        "[gateway.parameters]\n2401 = 1\n402 = 1\n416 = 250\n426 = 125\n"
+                        "427 = 1\n")
+                       .findings),
+              "E0107 8:1 2401 CanTxBufferState is a measurement and cannot be set");
+}
+
+TEST(InputKeys, a_number_far_from_all_others_leaves_the_missing_one_missing) {
+    EXPECT_EQ(instead_of_403("4xx3x = 1").find("E0109"), 0U);
+    EXPECT_EQ(instead_of_403("999 = 1").find("E0109"), 0U);
+}
+
+TEST(InputKeys, what_was_meant_is_not_missing_after_any_number_of_unknown_keys) {
+    std::string lines;
+    for (int i = 0; i < 60; ++i) {
+        lines += fmt::format("Nonsense{}ForAllToSee = 1\n", i);
+    }
+    for (const char* key : {"4O3", "43", "CanCMNodNumber"}) {
+        const Outcome outcome =
+            read(head + gateway + "[governor.parameters]\n401 = 1\n416 = 250\n" + lines + key + " = 1\n");
+        EXPECT_EQ(outcome.findings.all().size(), 61U) << key;
+    }
+}
+
 TEST(InputKeys, a_file_of_nonsense_stays_quick) {
     std::string lines;
     for (int i = 0; i < 2000; ++i) {

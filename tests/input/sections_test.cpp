@@ -41,6 +41,45 @@ TEST(InputFormat, a_format_of_another_type_is_refused) {
               "E0102 1:10 `format` must be an integer, not a decimal number");
 }
 
+TEST(InputFormat, a_misspelt_format_is_one_finding) {
+    const Outcome outcome = read("fomat = 1\n" + governor + gateway);
+    EXPECT_EQ(show(outcome.findings),
+              "E0101 1:1 unknown key `fomat` at the top of the file | did you mean `format`?");
+    EXPECT_TRUE(outcome.result.usable);
+    EXPECT_EQ(outcome.settings().governor.value(416), 250);
+}
+
+TEST(InputFormat, a_misspelt_format_is_still_judged) {
+    const Outcome outcome = read("fomat = 2\n" + governor + gateway);
+    EXPECT_EQ(show(outcome.findings),
+              "E0008 1:9 the file is written in format 2, and this cgw reads format 1 | use a newer cgw");
+    EXPECT_FALSE(outcome.result.usable);
+}
+
+TEST(InputSections, a_header_without_its_dot_is_read_as_the_one_that_was_meant) {
+    const std::string keys = gateway.substr(gateway.find('\n'));
+    for (const std::string name : {"gateway6parameters", "gatewayparameters", "gateway_parameters"}) {
+        const Outcome outcome = read(head + governor + "[" + name + "]" + keys);
+        EXPECT_EQ(show(outcome.findings),
+                  "E0101 7:2 unknown table `" + name +
+                      "` at the top of the file | did you mean [gateway.parameters]?");
+        EXPECT_EQ(outcome.settings().gateway.value(426), 125);
+    }
+}
+
+TEST(InputSections, parameters_without_their_header_are_one_finding) {
+    const std::string keys = "401 = 1\n403 = 1\n416 = 250\n";
+    EXPECT_EQ(show(read(head + keys + gateway).findings),
+              "E0101 3:1 unknown key `401` at the top of the file | parameters of the governor stand in "
+              "[governor.parameters], and the file has no such header");
+    EXPECT_EQ(show(read(head + "[governor]\n" + keys + gateway).findings),
+              "E0101 4:1 unknown key `401` in [governor] | parameters of the governor stand in "
+              "[governor.parameters], and the file has no such header");
+    EXPECT_EQ(show(read(head + governor + "402 = 1\n426 = 125\n427 = 1\n").findings),
+              "E0105 7:1 the governor has no parameter `402` | 402 CanDCNodeNumber belongs to the gateway: "
+              "write it in [gateway.parameters]");
+}
+
 TEST(InputFormat, a_text_that_is_not_toml_is_not_usable) {
     const Outcome outcome = read("format = \n");
     EXPECT_EQ(show(outcome.findings), "E0004 1:10 there is no value after '='");
