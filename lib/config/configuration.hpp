@@ -142,7 +142,7 @@ struct Configuration {
     std::vector<Decision> decisions;
 
     const Pdo& tpdo(int number) const { return pdos[static_cast<std::size_t>(number - 1)]; }
-    const Pdo& rpdo(int number) const { return pdos[static_cast<std::size_t>(15 + number)]; }
+    const Pdo& rpdo(int number) const { return pdos[15 + static_cast<std::size_t>(number)]; }
 };
 
 Configuration resolve(const parameter::Settings& settings, const parameter::Catalogue& catalogue);

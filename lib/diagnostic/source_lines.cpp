@@ -37,7 +37,7 @@ std::vector<Glyph> glyphs_of(std::string_view line) {
 }  // namespace
 
 std::string to_text(const Location& where) {
-    const std::string path = where.path == "-" ? "<stdin>" : base::printable(where.path);
+    std::string path = where.path == "-" ? "<stdin>" : base::printable(where.path);
     if (where.range.start.line == 0) {
         return path;
     }
