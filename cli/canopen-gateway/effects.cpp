@@ -1,4 +1,5 @@
 #include "cli/canopen-gateway/effects.hpp"
+#include "facts/gateway.hpp"
 
 #include <fmt/format.h>
 
@@ -15,7 +16,7 @@ namespace {
 
 constexpr Time settling = 2'000'000;  // after a change, until its effect is shown
 constexpr std::size_t transmit_pdos = 16;
-constexpr std::size_t first_rpdo = 16;
+constexpr std::size_t first_rpdo = facts::tpdo_count;
 constexpr int visible_change = 650;  // of a word's 65536 steps
 constexpr std::size_t most_changes_shown = 4;
 constexpr std::size_t name_width = 26;
@@ -43,8 +44,8 @@ Words words_of(PlantRun& plant_run) {
 
 // Words that carry no parameter are TPDO1..3's (D20, D21).
 std::string binary_name(const image::MappedObject& mapped) {
-    constexpr unsigned bits = 16;
-    const unsigned first = 3000 + bits * (mapped.sub_index - 1U);
+    constexpr unsigned bits = facts::word_bits;
+    const unsigned first = facts::error_number(bits * (mapped.sub_index - 1U));
     const bool errors = mapped.sub_index <= device::error_words;
     return fmt::format("{:04X}h:{} {}", mapped.index, mapped.sub_index,
                        errors ? fmt::format("errors {}..{}", first, first + bits - 1) : "engine state");
@@ -114,8 +115,8 @@ bool find_switch(const image::Image& image, image::SwitchFunction& function) {
 }
 
 std::uint16_t& output_of(PlantRun& plant_run, const image::Sensor& sensor) {
-    const std::size_t channel = sensor.channel - 1U;
-    return plant_run.outputs()[1 + channel / device::words_per_pdo][channel % device::words_per_pdo];
+    return plant_run
+        .outputs()[facts::rpdo_of_channel(sensor.channel) - 1U][facts::word_of_channel(sensor.channel) - 1U];
 }
 
 // Sends the changed outputs, lets the plant follow, and shows what followed.
@@ -134,7 +135,7 @@ void change_sensor(PlantRun& plant_run, const image::Sensor& sensor) {
     const double span = scale.external_maximum - scale.external_minimum;
     const double part = (scale.to_engineering(old) - scale.external_minimum) / span;
     word = scale.to_word(scale.external_minimum + span * (part > 0.85 ? part - 0.15 : part + 0.15));
-    const image::Pdo pdo = image.pdo(first_rpdo + 1 + (sensor.channel - 1U) / device::words_per_pdo);
+    const image::Pdo pdo = image.pdo(first_rpdo + facts::rpdo_of_channel(sensor.channel) - 1U);
     plant_run.say(fmt::format("{} {:03X}h changes {}", pdo_text(pdo), pdo.cob_id,
                               parameter_text(image, sensor.number)));
     plant_run.detail(fmt::format("  from {} to {}; then", value_text(image, sensor.number, old),

@@ -7,13 +7,14 @@
 #include "base/numbers.hpp"
 #include "base/sha256.hpp"
 #include "base/utf8.hpp"
+#include "facts/gateway.hpp"
 
 namespace cgw::cli {
 namespace {
 
 constexpr std::size_t columns = 80;
 constexpr std::size_t short_id_bytes = 8;
-constexpr std::uint16_t dummy_index = 0x0006;
+using facts::object::unsigned16_dummy;
 
 // Lines of at most `columns` characters.
 class Page {
@@ -109,7 +110,7 @@ std::string numbered(const image::Image& image, std::uint16_t number) {
 }
 
 std::string mapped_text(const image::Image& image, const image::MappedObject& mapped) {
-    if (mapped.index == dummy_index) {
+    if (mapped.index == unsigned16_dummy) {
         return "dummy";
     }
     std::string object = fmt::format("{:04X}h:{}", mapped.index, mapped.sub_index);

@@ -3,24 +3,18 @@
 
 #include <cstdint>
 
+#include "facts/identifiers.hpp"
+
 namespace cgw::canopen {
 
 // Microseconds since any fixed moment. The core has no clock: time is handed in and never runs backwards.
 using Time = std::uint64_t;
 inline constexpr Time never = ~Time{0};
 
-inline constexpr std::uint8_t maximum_node_id = 127;
+using facts::maximum_node_id;
 inline constexpr std::uint8_t all_nodes = 0;  // NMT broadcast
 
-// Predefined identifiers; all but NMT are completed with the node number.
-namespace cob {
-inline constexpr std::uint32_t nmt = 0x000;
-inline constexpr std::uint32_t sdo_answer = 0x580;   // server to client
-inline constexpr std::uint32_t sdo_request = 0x600;  // client to server
-inline constexpr std::uint32_t heartbeat = 0x700;    // and boot-up
-inline constexpr std::uint32_t node_mask = 0x07F;
-inline constexpr std::uint32_t function_mask = 0x780;
-}  // namespace cob
+namespace cob = facts::cob;
 
 enum class NmtCommand : std::uint8_t {
     start = 0x01,

@@ -19,13 +19,11 @@ using config::Pdo;
 using diagnostic::Diagnostic;
 using parameter::Assignment;
 using parameter::Device;
+namespace cob = facts::cob;
 namespace gateway = config::gateway;
 namespace rules = diagnostic::rules;
 
-// CiA 301 gives these to nobody.
-constexpr std::uint16_t first_free = 0x680;
-constexpr std::uint16_t last_free = 0x6DF;
-constexpr std::size_t first_free_tpdo = 5;
+constexpr std::size_t first_free_tpdo = facts::predefined_pdos + 1;
 
 struct Reserved {
     std::uint16_t base;
@@ -35,13 +33,13 @@ struct Reserved {
 };
 
 constexpr Reserved reserved_identifiers[] = {
-    {0x000, 0, nullptr, "NMT commands"},
-    {0x080, 0, nullptr, "SYNC"},
-    {0x100, 0, nullptr, "TIME"},
-    {0x580, gateway::node_id, &Configuration::node_id, "the gateway's SDO answers"},
-    {0x600, gateway::node_id, &Configuration::node_id, "SDO requests to the gateway"},
-    {0x700, gateway::node_id, &Configuration::node_id, "the gateway's heartbeat"},
-    {0x700, gateway::partner_node_id, &Configuration::partner_node_id, "the partner's heartbeat"},
+    {cob::nmt, 0, nullptr, "NMT commands"},
+    {cob::sync, 0, nullptr, "SYNC"},
+    {cob::time, 0, nullptr, "TIME"},
+    {cob::sdo_answer, gateway::node_id, &Configuration::node_id, "the gateway's SDO answers"},
+    {cob::sdo_request, gateway::node_id, &Configuration::node_id, "SDO requests to the gateway"},
+    {cob::heartbeat, gateway::node_id, &Configuration::node_id, "the gateway's heartbeat"},
+    {cob::heartbeat, gateway::partner_node_id, &Configuration::partner_node_id, "the partner's heartbeat"},
 };
 
 struct Owned {
@@ -51,14 +49,14 @@ struct Owned {
 
 // What another node sends, and where its SDO server listens.
 constexpr Owned owned_identifiers[] = {
-    {0x080, "its emergency messages"},
-    {0x180, "its TPDO1"},
-    {0x280, "its TPDO2"},
-    {0x380, "its TPDO3"},
-    {0x480, "its TPDO4"},
-    {0x580, "its SDO answers"},
-    {0x600, "SDO requests to it"},
-    {0x700, "its heartbeat"},
+    {cob::emergency, "its emergency messages"},
+    {cob::tpdo[0], "its TPDO1"},
+    {cob::tpdo[1], "its TPDO2"},
+    {cob::tpdo[2], "its TPDO3"},
+    {cob::tpdo[3], "its TPDO4"},
+    {cob::sdo_answer, "its SDO answers"},
+    {cob::sdo_request, "SDO requests to it"},
+    {cob::heartbeat, "its heartbeat"},
 };
 
 std::uint16_t identifier_parameter(const Pdo& pdo) {
@@ -71,11 +69,11 @@ std::string pdo_name(const Pdo& pdo) {
 
 // A free identifier from the pool, a different one for each TPDO.
 std::string free_identifier_help(const Context& context, const Pdo& pdo) {
-    constexpr std::uint16_t count = last_free - first_free + 1;
+    constexpr std::uint16_t count = facts::last_free_identifier - facts::first_free_identifier + 1;
     const auto& pdos = context.configuration.pdos;
     for (std::uint16_t step = 0; step < count; ++step) {
         const auto offset = static_cast<std::uint16_t>(pdo.number - first_free_tpdo + step);
-        const auto candidate = static_cast<std::uint16_t>(first_free + offset % count);
+        const auto candidate = static_cast<std::uint16_t>(facts::first_free_identifier + offset % count);
         if (std::none_of(pdos.begin(), pdos.end(), [&](const Pdo& p) { return p.cob_id == candidate; })) {
             return fmt::format("0x{:X} is free: write {} = 0x{:X}", candidate, identifier_parameter(pdo),
                                candidate);

@@ -18,7 +18,7 @@ namespace rules = diagnostic::rules;
 
 constexpr int assignment_count =
     config::words_per_pdo * (config::tpdo_count - config::first_analogue_tpdo + 1);
-constexpr std::uint16_t first_error_bit = 3000;  // D21: TPDO1 and 2 carry these
+constexpr std::uint16_t first_error_bit = facts::first_error_number;  // TPDO1 and 2 carry these
 constexpr std::uint16_t last_error_bit = 3095;
 
 // Calls `judge` with every assigned number that cannot be sent, and its row or nullptr.

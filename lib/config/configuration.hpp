@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "facts/gateway.hpp"
 #include "parameter/row.hpp"
 #include "parameter/settings.hpp"
 
@@ -54,9 +55,9 @@ struct MappedWord {
     const parameter::Row* parameter = nullptr;  // measurement: its row; sensor: the 9nn row; else null
 };
 
-inline constexpr std::uint16_t dummy_index = 0x0006;  // UNSIGNED16 dummy (D25)
-inline constexpr std::uint8_t word_bits = 16;
-inline constexpr std::uint8_t transmission_type = 254;  // D31
+inline constexpr std::uint16_t dummy_index = facts::object::unsigned16_dummy;  // D25
+using facts::transmission_type;
+using facts::word_bits;
 
 struct Pdo {
     Direction direction = Direction::transmit;

@@ -1,8 +1,10 @@
 // The parameter numbers the CANopen side reads by name. Ranges and texts stand in the catalogues.
 #pragma once
 
-#include <array>
 #include <cstdint>
+
+#include "facts/gateway.hpp"
+#include "facts/identifiers.hpp"
 
 namespace cgw::config {
 
@@ -46,32 +48,20 @@ inline constexpr std::uint16_t canopen_manual_timing = 4426;
 inline constexpr std::uint16_t tpdo_identifier = 16404;  // 16404..16415: TPDO5..16
 }  // namespace gateway
 
-// Manufacturer objects of the gateway (manual 5.1).
-namespace object {
-inline constexpr std::uint16_t errors = 0x2000;  // :1..6 error bits, :7 engine state
-inline constexpr std::uint8_t engine_state_sub = 7;
-inline constexpr std::uint16_t unsigned_outputs = 0x2001;
-inline constexpr std::uint16_t signed_outputs = 0x2002;
-inline constexpr std::uint16_t binary_inputs = 0x2003;
-inline constexpr std::uint8_t switches_sub = 1;
-inline constexpr std::uint8_t sensor_flags_sub = 2;
-inline constexpr std::uint16_t sensors = 0x2004;  // sub-index = channel (D26)
-}  // namespace object
-
-// Predefined identifiers without the node id (manual 7.2.4, table 4).
-inline constexpr std::array<std::uint16_t, 4> tpdo_identifier_bases{0x180, 0x280, 0x380, 0x480};
-inline constexpr std::array<std::uint16_t, 4> rpdo_identifier_bases{0x200, 0x300, 0x400, 0x500};
-
-inline constexpr int first_analogue_tpdo = 4;  // TPDO1..3 carry bits
-inline constexpr int tpdo_count = 16;
-inline constexpr int rpdo_count = 4;
-inline constexpr std::uint16_t words_per_pdo = 4;
 inline constexpr std::uint32_t longest_time_ms = 65535;  // what the time parameters can hold (D17)
 
-inline constexpr std::uint32_t gateway_main_cycle_us = 16000;  // manual 7.2.3
-inline constexpr std::uint32_t maximum_governor_cycles = 255;  // D8
-inline constexpr std::uint32_t maximum_heartbeat_cycles = 4095;
-inline constexpr std::uint32_t switch_bits = 16;
-inline constexpr std::uint32_t sensor_channels = 12;
+// The device's own facts, under this room's names.
+namespace object = facts::object;
+using facts::first_analogue_tpdo;
+using facts::gateway_main_cycle_us;
+using facts::maximum_governor_cycles;
+using facts::maximum_heartbeat_cycles;
+using facts::rpdo_count;
+using facts::sensor_channels;
+using facts::switch_bits;
+using facts::tpdo_count;
+using facts::words_per_pdo;
+inline constexpr auto& tpdo_identifier_bases = facts::cob::tpdo;  // GWM 7.2.4, table 4
+inline constexpr auto& rpdo_identifier_bases = facts::cob::rpdo;
 
 }  // namespace cgw::config

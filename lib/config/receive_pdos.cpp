@@ -65,13 +65,11 @@ void map_binary(Pdo& pdo, const Configuration& configuration) {
 
 // D26: each sensor stands at the word of its channel; where two share one, the lower number is named.
 void map_sensors(Pdo& pdo, const Configuration& configuration) {
-    const int first_channel = 1 + words_per_pdo * (pdo.number - 2);
     for (const Sensor& sensor : configuration.sensors) {
-        const int word = sensor.channel - first_channel;
-        if (word < 0 || word >= words_per_pdo) {
+        if (facts::rpdo_of_channel(sensor.channel) != pdo.number) {
             continue;
         }
-        const auto position = static_cast<std::size_t>(word);
+        const std::size_t position = facts::word_of_channel(sensor.channel) - 1U;
         if (pdo.mapping.size() <= position) {
             pdo.mapping.resize(position + 1, {.kind = WordKind::dummy, .index = dummy_index});
         }

@@ -40,17 +40,12 @@ BusTiming bus_timing(const parameter::ParameterSet& set, std::uint16_t manual, s
 }  // namespace
 
 CyclicTime cyclic_time(std::uint32_t asked_ms, std::uint32_t main_cycle_us) {
-    if (asked_ms == 0 || main_cycle_us == 0) {
-        return {.asked_ms = asked_ms};
-    }
-    const std::uint64_t asked_us = std::uint64_t{asked_ms} * 1000;
-    const std::uint64_t cycles = std::max<std::uint64_t>(1, asked_us / main_cycle_us);
-    const std::uint64_t effective_us =
-        std::min<std::uint64_t>(cycles * main_cycle_us, std::numeric_limits<std::uint32_t>::max());
+    const std::uint32_t cycles = facts::whole_cycles(asked_ms, main_cycle_us);
+    const std::uint64_t effective_us = std::uint64_t{cycles} * main_cycle_us;
+    constexpr std::uint64_t longest_us = std::numeric_limits<std::uint32_t>::max();
     return {.asked_ms = asked_ms,
-            .cycles = static_cast<std::uint32_t>(
-                std::min<std::uint64_t>(cycles, std::numeric_limits<std::uint32_t>::max())),
-            .effective_us = static_cast<std::uint32_t>(effective_us)};
+            .cycles = cycles,
+            .effective_us = static_cast<std::uint32_t>(std::min(effective_us, longest_us))};
 }
 
 CyclicTime resolve_time(const parameter::Settings& settings, parameter::Device device, std::uint16_t number,

@@ -55,9 +55,9 @@ class Gateway {
     std::span<const std::uint8_t> values() const { return {values_.data(), initial_values_.size()}; }
 
   private:
-    static constexpr std::size_t transmit_pdos = 16;
-    static constexpr std::size_t receive_pdos = 4;
-    static constexpr std::size_t binary_pdos = 3;  // TPDO1..3, on change
+    static constexpr std::size_t transmit_pdos = facts::tpdo_count;
+    static constexpr std::size_t receive_pdos = facts::rpdo_count;
+    static constexpr std::size_t binary_pdos = facts::binary_tpdos;  // TPDO1..3, on change
     static constexpr std::size_t pdos = transmit_pdos + receive_pdos;
 
     // The objects the gateway writes, found once.

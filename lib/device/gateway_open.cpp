@@ -4,13 +4,8 @@
 namespace cgw::device {
 namespace {
 
-constexpr std::uint16_t dummy_index = 0x0006;  // UNSIGNED16 dummy (D25)
-constexpr std::uint8_t word_bytes = 2;
-
-constexpr std::uint16_t error_register_index = 0x1001;
-constexpr std::uint16_t digital_outputs_index = 0x2000;  // sub 1..6 errors, sub 7 engine state (D20)
-constexpr std::uint8_t engine_state_sub_index = 7;
-constexpr std::uint16_t canopen_errors_index = 0x2005;
+using facts::word_bytes;
+using facts::words_per_pdo;
 
 bool find(const object::ObjectTable& objects, std::uint16_t index, std::uint8_t sub_index,
           object::ObjectEntry& entry) {
@@ -54,14 +49,14 @@ OpenStatus Gateway::open(const image::Image& image) {
 }
 
 bool Gateway::find_places() {
-    bool all = find(objects_, error_register_index, 0, places_.error_register) &&
-               find(objects_, canopen_errors_index, 0, places_.canopen_errors);
+    bool all = find(objects_, facts::object::error_register, 0, places_.error_register) &&
+               find(objects_, facts::object::canopen_errors, 0, places_.canopen_errors);
     for (std::size_t word = 0; word < error_words; ++word) {
         const auto sub_index = static_cast<std::uint8_t>(word + 1);
-        all = all && find(objects_, digital_outputs_index, sub_index, places_.errors[word]);
+        all = all && find(objects_, facts::object::errors, sub_index, places_.errors[word]);
     }
     places_.has_engine_state =
-        find(objects_, digital_outputs_index, engine_state_sub_index, places_.engine_state);
+        find(objects_, facts::object::errors, facts::object::engine_state_sub, places_.engine_state);
     return all;
 }
 
@@ -87,7 +82,7 @@ void Gateway::resolve(std::size_t position, const image::Pdo& pdo) {
 
 // In a valid image every mapped object exists and is one word long.
 canopen::MappedValue Gateway::place_of(const image::MappedObject& mapped) const {
-    if (mapped.index == dummy_index) {
+    if (mapped.index == facts::object::unsigned16_dummy) {
         return {0, word_bytes, true};
     }
     return {objects_.find(mapped.index, mapped.sub_index).entry.offset, word_bytes, false};

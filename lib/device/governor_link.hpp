@@ -5,6 +5,8 @@
 #include <array>
 #include <cstdint>
 
+#include "facts/gateway.hpp"
+
 namespace cgw::device {
 
 // The five states of the manual's chapter 3 (D50).
@@ -13,10 +15,10 @@ enum class GatewayState : std::uint8_t { undefined, init, pre_operational, opera
 // Governor to gateway: commands of the state machine (manual, chapter 3).
 enum class GovernorCommand : std::uint8_t { undefined, init, pre_operational };
 
-inline constexpr std::size_t words_per_pdo = 4;
-inline constexpr std::size_t error_words = 6;  // 96 error bits, 2000h:1..6
-inline constexpr std::size_t first_analogue_tpdo = 4;
-inline constexpr std::size_t analogue_tpdos = 13;  // TPDO4..16
+using facts::analogue_tpdos;
+using facts::error_words;
+using facts::first_analogue_tpdo;
+using facts::words_per_pdo;
 
 using PdoWords = std::array<std::uint16_t, words_per_pdo>;
 

@@ -1,4 +1,5 @@
 // The format as tables: what each section is, and the range of every field in it.
+#include "facts/gateway.hpp"
 #include "image/verify.hpp"
 #include "wire/little_endian.hpp"
 
@@ -74,7 +75,7 @@ constexpr FieldRule fields[] = {
     {SectionId::pdos, pdo::active, 1, 0, 1},
     {SectionId::pdos, pdo::cob_id, 2, 0, 0x7FF},
     {SectionId::pdos, pdo::word_count, 1, 0, 4},
-    {SectionId::pdos, pdo::transmission_type, 1, 254, 254},
+    {SectionId::pdos, pdo::transmission_type, 1, facts::transmission_type, facts::transmission_type},
     {SectionId::pdos, pdo::cycles, 2, 0, 255},
 
     {SectionId::objects, 0, 2, 0x1000, 0xFFFF},  // index

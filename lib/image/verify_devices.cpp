@@ -1,25 +1,21 @@
 // What the two buses, the governor's half and the heartbeats must agree on.
 #include <algorithm>
 
+#include "facts/gateway.hpp"
 #include "image/verify.hpp"
 
 namespace cgw::image {
 namespace {
 
-constexpr std::uint16_t bit_rates_kbit[] = {125, 250, 500, 1000};  // D6
-constexpr std::uint32_t gateway_main_cycle_us = 16'000;            // manual 7.2.3
-constexpr std::uint32_t maximum_heartbeat_cycles = 4095;           // D8
-constexpr std::uint8_t maximum_hzm_node = 31;
-
 // With manual timing the automatic bit rate means nothing; it may stand there or be 0.
 bool is_bit_rate(std::uint16_t kbit, bool manual) {
-    return (manual && kbit == 0) ||
-           std::find(std::begin(bit_rates_kbit), std::end(bit_rates_kbit), kbit) != std::end(bit_rates_kbit);
+    return (manual && kbit == 0) || std::find(facts::bit_rates_kbit.begin(), facts::bit_rates_kbit.end(),
+                                              kbit) != facts::bit_rates_kbit.end();
 }
 
 bool is_heartbeat_time(std::uint32_t time_us) {
-    return time_us % gateway_main_cycle_us == 0 &&
-           time_us / gateway_main_cycle_us <= maximum_heartbeat_cycles;
+    return time_us % facts::gateway_main_cycle_us == 0 &&
+           time_us / facts::gateway_main_cycle_us <= facts::maximum_heartbeat_cycles;
 }
 
 }  // namespace
@@ -33,7 +29,7 @@ bool buses_fit(const Image& image) {
                        is_bit_rate(governor.bit_rate_kbit, governor.manual_timing);
     const bool same_rate =
         can1.manual_timing || governor.manual_timing || can1.bit_rate_kbit == governor.bit_rate_kbit;
-    const bool crossed = can1.own_node <= maximum_hzm_node && can1.own_node == governor.gateway_node &&
+    const bool crossed = can1.own_node <= facts::maximum_hzm_node && can1.own_node == governor.gateway_node &&
                          can1.peer_node == governor.own_node;
     return rates && same_rate && crossed && can2.own_node != can2.peer_node && can2.start_up_delay_ms == 0;
 }

@@ -1,33 +1,28 @@
 // The PDO table: activity, times, identifiers, and what every word maps.
+#include "facts/gateway.hpp"
+#include "facts/identifiers.hpp"
 #include "image/verify.hpp"
 
 namespace cgw::image {
 namespace {
 
-constexpr std::size_t transmit_pdos = 16;
-constexpr std::uint8_t predefined_pdos = 4;    // TPDO1..4 and RPDO1..4 follow the node number
-constexpr std::uint8_t binary_tpdos = 3;       // TPDO1..3 have no cycle and carry no parameter
-constexpr std::uint16_t dummy_index = 0x0006;  // D25
-constexpr std::uint8_t word_bits = 16;
-
 std::uint16_t predefined_identifier(const Pdo& pdo, std::uint8_t node) {
-    const unsigned base = pdo.receive ? 0x200U : 0x180U;
-    return static_cast<std::uint16_t>(base + 0x100U * (pdo.number - 1U) + node);
+    const auto& bases = pdo.receive ? facts::cob::rpdo : facts::cob::tpdo;
+    return static_cast<std::uint16_t>(bases[pdo.number - 1U] + node);
 }
 
 bool position_fits(const Pdo& pdo, std::size_t position, std::uint8_t direction) {
-    const bool receive = position >= transmit_pdos;
-    const std::size_t number = (receive ? position - transmit_pdos : position) + 1;
+    const bool receive = position >= facts::tpdo_count;
+    const std::size_t number = (receive ? position - facts::tpdo_count : position) + 1;
     return direction == (receive ? 1 : 0) && pdo.number == number;
 }
 
 // D8, and 0 where there is no cycle to set.
 bool time_fits(const Pdo& pdo, std::uint32_t main_cycle_us) {
-    if (!pdo.receive && pdo.number <= binary_tpdos) {
+    if (!pdo.receive && pdo.number <= facts::binary_tpdos) {
         return pdo.asked_ms == 0 && pdo.cycles == 0 && pdo.effective_us == 0;
     }
-    const std::uint32_t whole = pdo.asked_ms * 1000U / main_cycle_us;
-    const std::uint32_t cycles = pdo.asked_ms != 0 && whole == 0 ? 1 : whole;
+    const std::uint32_t cycles = facts::whole_cycles(pdo.asked_ms, main_cycle_us);
     return pdo.cycles == cycles && pdo.effective_us == static_cast<std::uint64_t>(cycles) * main_cycle_us;
 }
 
@@ -38,30 +33,29 @@ bool activity_fits(const Pdo& pdo, const Governor& governor) {
     if (pdo.receive) {
         return true;
     }
-    if (pdo.number <= binary_tpdos) {
-        return pdo.active == (pdo.number == binary_tpdos ? governor.send_status : governor.send_errors);
+    if (pdo.number <= facts::binary_tpdos) {
+        return pdo.active ==
+               (pdo.number == facts::binary_tpdos ? governor.send_status : governor.send_errors);
     }
     return !pdo.active || pdo.cycles != 0;
 }
 
 bool source_fits(const Pdo& pdo, std::uint8_t source, std::uint8_t node) {
-    const bool predefined = pdo.number <= predefined_pdos;
+    const bool predefined = pdo.number <= facts::predefined_pdos;
     return source == (predefined ? 0 : 1) && (!predefined || pdo.cob_id == predefined_identifier(pdo, node));
 }
 
 bool is_reserved(std::uint16_t identifier, const Bus& can2) {
-    const std::uint16_t reserved[] = {0x000,
-                                      0x080,
-                                      0x100,
-                                      static_cast<std::uint16_t>(0x580 + can2.own_node),
-                                      static_cast<std::uint16_t>(0x600 + can2.own_node),
-                                      static_cast<std::uint16_t>(0x700 + can2.own_node)};
+    namespace cob = facts::cob;
+    const auto own = [&](std::uint16_t base) { return static_cast<std::uint16_t>(base + can2.own_node); };
+    const std::uint16_t reserved[] = {
+        cob::nmt, cob::sync, cob::time, own(cob::sdo_answer), own(cob::sdo_request), own(cob::heartbeat)};
     for (const std::uint16_t value : reserved) {
         if (identifier == value) {
             return true;
         }
     }
-    return can2.peer_node != 0 && identifier == 0x700 + can2.peer_node;
+    return can2.peer_node != 0 && identifier == cob::heartbeat + can2.peer_node;
 }
 
 // A value travelling out is read, one coming in is written.
@@ -75,10 +69,10 @@ bool access_fits(object::Access access, bool receive) {
 }
 
 bool word_fits(const object::ObjectTable& objects, const Pdo& pdo, const MappedObject& word) {
-    if (word.bits != word_bits) {
+    if (word.bits != facts::word_bits) {
         return false;
     }
-    if (word.index == dummy_index) {
+    if (word.index == facts::object::unsigned16_dummy) {
         return pdo.receive && word.sub_index == 0 && word.parameter == 0;
     }
     const object::ObjectTable::Lookup lookup = objects.find(word.index, word.sub_index);

@@ -1,15 +1,12 @@
 // Signals, and the switches and sensors that the RPDOs carry.
+#include "facts/gateway.hpp"
 #include "image/bytes.hpp"
 #include "image/verify.hpp"
 
 namespace cgw::image {
 namespace {
 
-constexpr std::size_t first_rpdo = 16;  // position in the PDO table
-constexpr std::uint8_t binary_tpdos = 3;
-constexpr std::uint16_t switches_index = 0x2003;  // sub-index 1, RPDO1 word 1 (D25)
-constexpr std::uint16_t sensors_index = 0x2004;   // sub-index = channel (D26)
-constexpr unsigned words_per_pdo = 4;
+constexpr std::size_t first_rpdo = facts::tpdo_count;  // position in the PDO table
 
 bool signal_fits(const Signal& signal) {
     if (signal.width != 8 && signal.width != 16) {
@@ -28,10 +25,10 @@ bool has_signal(const Image& image, std::uint16_t number) {
 
 // TPDO4..16 carry a parameter in every word, TPDO1..3 and RPDO1 in none.
 bool parameters_fit(const Image& image, const Pdo& pdo) {
-    const bool analogue = pdo.receive ? pdo.number != 1 : pdo.number > binary_tpdos;
+    const bool analogue = pdo.receive ? pdo.number != 1 : pdo.number > facts::binary_tpdos;
     for (std::size_t word = 0; word < pdo.word_count; ++word) {
         const MappedObject& mapped = pdo.mapping[word];
-        const bool wanted = analogue && !(pdo.receive && mapped.index != sensors_index);
+        const bool wanted = analogue && !(pdo.receive && mapped.index != facts::object::sensors);
         if (wanted ? !has_signal(image, mapped.parameter) : mapped.parameter != 0) {
             return false;
         }
@@ -61,14 +58,14 @@ bool signals_fit(const Image& image) {
 }
 
 bool inputs_fit(const Image& image) {
-    if (image.switch_count() != 0 && !maps(image.pdo(first_rpdo), 0, switches_index, 1)) {
+    if (image.switch_count() != 0 &&
+        !maps(image.pdo(first_rpdo), 0, facts::object::binary_inputs, facts::object::switches_sub)) {
         return false;
     }
     for (std::size_t i = 0; i < image.sensor_count(); ++i) {
         const Sensor sensor = image.sensor(i);
-        const unsigned place = sensor.channel - 1U;
-        const Pdo pdo = image.pdo(first_rpdo + 1 + place / words_per_pdo);
-        if (!maps(pdo, place % words_per_pdo, sensors_index, sensor.channel) ||
+        const Pdo pdo = image.pdo(first_rpdo + facts::rpdo_of_channel(sensor.channel) - 1U);
+        if (!maps(pdo, facts::word_of_channel(sensor.channel) - 1U, facts::object::sensors, sensor.channel) ||
             !has_signal(image, sensor.number)) {
             return false;
         }

@@ -5,6 +5,7 @@
 
 #include "config/numbers.hpp"
 #include "dictionary/ascii.hpp"
+#include "facts/gateway.hpp"
 #include "profile/gateway_objects.hpp"
 
 namespace cgw::profile {
@@ -45,7 +46,8 @@ constexpr std::array<std::string_view, 6> error_words{"Errors 0-15",  "Errors 16
 constexpr std::array<std::string_view, 2> input_words{"Switch Functions", "Sensor Error Flags"};  // D25
 
 constexpr std::array canopen_errors{VariableRow{0, "CanOpen Errors", DataType::unsigned16}};
-constexpr ObjectRow canopen_errors_object{0x2005, "CanOpen Errors", ObjectCode::var, canopen_errors};
+constexpr ObjectRow canopen_errors_object{facts::object::canopen_errors, "CanOpen Errors", ObjectCode::var,
+                                          canopen_errors};
 
 // Entries 1, 2, … with these names.
 Object process_object(const ProcessObjectRow& row, const std::vector<std::string>& names) {

@@ -1,5 +1,7 @@
 #include "simulation/inputs.hpp"
 
+#include "facts/gateway.hpp"
+
 namespace cgw::simulation {
 namespace {
 
@@ -40,13 +42,12 @@ CanopenInputs::SensorValue CanopenInputs::sensor(std::uint16_t number) const {
 }
 
 CanopenInputs::SensorValue CanopenInputs::value_of(const image::Sensor& sensor) const {
-    const std::size_t channel = sensor.channel - 1U;
-    const std::size_t pdo = 1 + channel / device::words_per_pdo;  // RPDO2..4 (D26)
-    const bool flagged = ((unsigned{words_[0][flags_word]} >> channel) & 1U) != 0;
+    const std::size_t pdo = facts::rpdo_of_channel(sensor.channel) - 1U;
+    const bool flagged = ((unsigned{words_[0][flags_word]} >> (sensor.channel - 1U)) & 1U) != 0;
     SensorValue value;
     value.carried = true;
     value.faulty = !operational_ || !received_[pdo] || flagged;
-    value.word = words_[pdo][channel % device::words_per_pdo];
+    value.word = words_[pdo][facts::word_of_channel(sensor.channel) - 1U];
     return value;
 }
 

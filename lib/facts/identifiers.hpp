@@ -1,0 +1,30 @@
+// Who owns which CAN identifier by CiA 301's predefined connection set, and who must keep away from it.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+namespace cgw::facts {
+
+// Completed with a node number, except NMT, SYNC and TIME. The names take the device's view.
+namespace cob {
+inline constexpr std::uint32_t nmt = 0x000;
+inline constexpr std::uint32_t sync = 0x080;
+inline constexpr std::uint32_t emergency = 0x080;
+inline constexpr std::uint32_t time = 0x100;
+inline constexpr std::array<std::uint16_t, 4> tpdo{0x180, 0x280, 0x380, 0x480};
+inline constexpr std::array<std::uint16_t, 4> rpdo{0x200, 0x300, 0x400, 0x500};
+inline constexpr std::uint32_t sdo_answer = 0x580;   // server to client
+inline constexpr std::uint32_t sdo_request = 0x600;  // client to server
+inline constexpr std::uint32_t heartbeat = 0x700;    // and boot-up
+inline constexpr std::uint32_t node_mask = 0x07F;
+inline constexpr std::uint32_t function_mask = 0x780;
+}  // namespace cob
+
+// CiA 301 gives these to nobody.
+inline constexpr std::uint16_t first_free_identifier = 0x680;
+inline constexpr std::uint16_t last_free_identifier = 0x6DF;
+
+inline constexpr std::uint8_t maximum_node_id = 127;
+
+}  // namespace cgw::facts
