@@ -139,7 +139,11 @@ void check_start_up_delays(const Context& context) {
                        (of_gateway != nullptr || absent(context, Device::gateway, number));
     const double governor_delay = of_governor != nullptr ? of_governor->value : 0;
     const double gateway_delay = of_gateway != nullptr ? of_gateway->value : 0;
-    if (!known || governor_delay == gateway_delay) {
+    const auto& findings = context.findings.all();
+    const bool silent = std::any_of(findings.begin(), findings.end(), [](const auto& finding) {
+        return finding.rule == &rules::communication_off;  // then nobody misses anybody
+    });
+    if (!known || silent || governor_delay == gateway_delay) {
         return;
     }
     const Assignment* place = of_governor != nullptr ? of_governor : of_gateway;

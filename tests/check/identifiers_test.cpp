@@ -16,13 +16,16 @@ PlantBuilder& with_tpdo(PlantBuilder& plant, int number, double identifier) {
     return plant.gateway(static_cast<std::uint16_t>(16404 + number - 5), identifier);
 }
 
-// "E0205" or "E0205 E0206": the codes of all findings.
+// "E0205" or "E0205 E0206": the codes of all errors.
 std::string codes(PlantBuilder& plant) {
     diagnostic::Findings findings;
     check({plant.settings(), plant.catalogue(), plant.resolve(), findings});
     findings.sort();
     std::string text;
     for (const diagnostic::Diagnostic& finding : findings.all()) {
+        if (finding.level() != diagnostic::Level::error) {
+            continue;
+        }
         text += (text.empty() ? "" : " ") + std::string(finding.rule->code);
     }
     return text;
