@@ -4,6 +4,7 @@
 #include "cli/cgw/terminal.hpp"
 #include "cli/cgw/verbs.hpp"
 #include "driver/check_file.hpp"
+#include "driver/plant.hpp"
 
 namespace cgw::cli {
 
@@ -11,6 +12,7 @@ int check(const CheckOptions& options) {
     int exit_code = exit_fine;
     diagnostic::RenderInput input;
     input.color = use_color(options.color, stdout);
+    input.tool_version = driver::tool_version();
     for (const std::string& path : options.files) {
         driver::CheckedFile file = driver::check_file(path);
         file.findings.hide(options.hidden);
@@ -18,7 +20,7 @@ int check(const CheckOptions& options) {
             file.findings.promote_warnings();
         }
         exit_code = worse(exit_code, exit_code_of(file));
-        input.files.push_back({path, file.findings.all()});
+        input.files.push_back({path, file.findings.all(), std::move(file.not_verified)});
         input.sources.merge(std::move(file.sources));
     }
     return print(options.renderer->render(input)) ? exit_code : exit_environment;

@@ -206,11 +206,11 @@ TEST(SwitchesAndSensors, on_one_place_are_reported_at_the_later_number) {
     const std::string text = findings_of(rpdo1_with("500", "811 = -1\n4811 = 3\n827 = 1\n4827 = 3\n"));
     EXPECT_EQ(
         text,
-        "14:7 E0311 switch-bit-shared: 827 FunctSetpoint2Or1 uses bit 1 of RPDO1 word 1, as 811 "
-        "FunctIdleSpeed "
+        "9:7 E0311 switch-bit-shared: 835 FunctLoadEnable uses bit 1 of RPDO1 word 1, as 811 FunctIdleSpeed "
         "does already (manual 7.1.4.1)\n"
         "  see 12:7: the governor's 811 FunctIdleSpeed is -1 here\n"
-        "9:7 E0311 switch-bit-shared: 835 FunctLoadEnable uses bit 1 of RPDO1 word 1, as 811 FunctIdleSpeed "
+        "14:7 E0311 switch-bit-shared: 827 FunctSetpoint2Or1 uses bit 1 of RPDO1 word 1, as 811 "
+        "FunctIdleSpeed "
         "does already (manual 7.1.4.1)\n"
         "  see 12:7: the governor's 811 FunctIdleSpeed is -1 here\n");
 }
