@@ -14,13 +14,13 @@ using parameter::Device;
 namespace governor = config::governor;
 namespace gateway = config::gateway;
 
-constexpr std::size_t most_listed = 8;
+constexpr std::size_t most_listed = 5;
 
-// "844, 845", or "20 of them" where they would fill the line.
+// "844, 845", or "844, ... (20)" where they would fill the line.
 template <typename Numbers>
 std::string listed(const Numbers& numbers) {
     return numbers.size() <= most_listed ? fmt::format("{}", fmt::join(numbers, ", "))
-                                         : fmt::format("{} of them", numbers.size());
+                                         : fmt::format("{}, ... ({})", numbers.front(), numbers.size());
 }
 
 std::string governor_timing(const Context& context) {
@@ -55,7 +55,8 @@ std::string unnamed_switches(const Context& context) {
     }
     return numbers.empty()
                ? ""
-               : fmt::format("switch functions without a name: does the governor have {}?", listed(numbers));
+               : fmt::format("switch functions {}: not in the catalogue; does the governor have them?",
+                             listed(numbers));
 }
 
 std::string unnamed_sensors(const Context& context) {
@@ -65,9 +66,9 @@ std::string unnamed_sensors(const Context& context) {
             numbers.push_back(sensor.row->number);
         }
     }
-    return numbers.empty()
-               ? ""
-               : fmt::format("sensors without a name: does the governor have {}?", listed(numbers));
+    return numbers.empty() ? ""
+                           : fmt::format("sensors {}: not in the catalogue; does the governor have them?",
+                                         listed(numbers));
 }
 
 std::string other_nodes(const Context& context) {
@@ -76,10 +77,9 @@ std::string other_nodes(const Context& context) {
         nodes.push_back(node.node_id);
     }
     if (nodes.empty()) {
-        return "other nodes: their ids and identifiers, as [network] lists none";
+        return "other nodes: their ids and identifiers; [network] lists none";
     }
-    return fmt::format("other nodes: identifiers that {} {} not by default", listed(nodes),
-                       nodes.size() == 1 ? "has" : "have");
+    return fmt::format("other nodes: whether {} use their default identifiers only", listed(nodes));
 }
 
 std::string devices(const Context& /*context*/) {
