@@ -1,5 +1,6 @@
 // Every finding cgw can make, one row each. A code is never reused; a name never changes.
-// E00 file and TOML · E01 keys, parameters, values · E02 what makes the plant fail.
+// E00 file and TOML · E01 keys, parameters, values · E02 what makes the plant fail · E03 warnings · E04
+// notes. The rows stand in one source file per group; what explains, lists or documents findings reads them.
 #pragma once
 
 #include <span>
@@ -17,6 +18,13 @@ struct Rule {
     Level level;
     std::string_view summary;    // what the rule demands, one line
     std::string_view reference;  // manual section or ruling: "GWM 7.3, D33"
+    std::string_view why;        // what it means for the plant, one to three sentences
+
+    // The rule broken and kept: lines of a parameter file below their table headers, to be read on top of
+    // a valid file. A line replaces the one with its key, `# 427 = 5` takes that one away, other lines are
+    // added. Empty for the three rules that no printed text can break.
+    std::string_view bad;
+    std::string_view good;
 };
 
 namespace rules {
@@ -67,6 +75,31 @@ CGW_RULE(engine_stop_over_canopen);
 CGW_RULE(tpdo_parameter_unknown);
 CGW_RULE(tpdo_parameter_bit);
 CGW_RULE(communication_off);
+
+// E03: warnings, what works but hardly as it was meant
+CGW_RULE(monitoring_early);
+CGW_RULE(monitoring_short);
+CGW_RULE(rpdo_unmonitored);
+CGW_RULE(rpdo_inactive_monitored);
+CGW_RULE(decimal_for_hexadecimal);
+CGW_RULE(cob_id_restricted);
+CGW_RULE(tpdo_empty);
+CGW_RULE(tpdo_unsent);
+CGW_RULE(switch_without_bit);
+CGW_RULE(sensor_without_channel);
+CGW_RULE(switch_bit_shared);
+CGW_RULE(sensor_channel_shared);
+CGW_RULE(start_up_delay_mismatch);
+CGW_RULE(partner_unmonitored);
+CGW_RULE(heartbeat_off);
+
+// E04: notes, what the devices make of a setting
+CGW_RULE(manual_misprint);
+CGW_RULE(time_quantised);
+CGW_RULE(tpdo_words_moved);
+CGW_RULE(cob_id_unlisted_owner);
+CGW_RULE(cob_id_default_rpdo);
+CGW_RULE(hzm_bit_rate_unverified);
 
 #undef CGW_RULE
 
