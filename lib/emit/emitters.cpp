@@ -5,7 +5,7 @@
 namespace cgw::emit {
 namespace {
 
-constexpr std::array eds_formats{Format{"eds", "CANopenGateway.eds"}};
+constexpr std::array eds_formats{Format{"eds", ".eds", true}};
 constexpr std::array image_formats{Format{"bin", "gateway-config.bin"}};
 constexpr std::array image_source_formats{Format{"cpp", ""}};
 
@@ -20,7 +20,8 @@ const Row* find_row(std::span<const Row> rows, std::string_view name) {
 
 std::span<const Emitter> all_emitters() {
     static const std::array emitters{
-        Emitter{"eds", "electronic data sheet of the configured gateway (CiA 306)", eds_formats, emit_eds},
+        Emitter{"eds", "electronic data sheet of the configured gateway (CiA 306)", eds_formats, emit_eds,
+                emit_generic_eds},
         Emitter{"pdo-table", "identifiers, cycle times and contents of the 20 PDOs", pdo_table_formats(),
                 emit_pdo_table},
         Emitter{"image", "configuration image for the gateway runtime", image_formats, emit_image},

@@ -29,8 +29,8 @@ TEST(Emitters, name_the_files_that_build_writes) {
     std::set<std::string> names;
     for (const Emitter& emitter : all_emitters()) {
         for (const Format& format : emitter.formats) {
-            if (!format.file_name.empty()) {
-                EXPECT_TRUE(names.emplace(format.file_name).second) << format.file_name;
+            if (const std::string name = file_name(format, {}); !name.empty()) {
+                EXPECT_TRUE(names.insert(name).second) << name;
             }
         }
     }
