@@ -6,6 +6,7 @@ namespace cgw::emit {
 namespace {
 
 constexpr std::array eds_formats{Format{"eds", ".eds", true}};
+constexpr std::array dcf_formats{Format{"dcf", ".dcf", true}};
 constexpr std::array image_formats{Format{"bin", "gateway-config.bin"}};
 constexpr std::array image_source_formats{Format{"cpp", ""}};
 
@@ -22,6 +23,8 @@ std::span<const Emitter> all_emitters() {
     static const std::array emitters{
         Emitter{"eds", "electronic data sheet of the configured gateway (CiA 306)", eds_formats, emit_eds,
                 emit_generic_eds},
+        Emitter{"dcf", "device configuration file: the data sheet of this one node (CiA 306)", dcf_formats,
+                emit_dcf},
         Emitter{"pdo-table", "identifiers, cycle times and contents of the 20 PDOs", pdo_table_formats(),
                 emit_pdo_table},
         Emitter{"image", "configuration image for the gateway runtime", image_formats, emit_image},
