@@ -3,7 +3,9 @@
 #include <filesystem>
 
 #include "base/utf8.hpp"
+#include "cli/cgw/artefact_options.hpp"
 #include "cli/cgw/exit_codes.hpp"
+#include "cli/cgw/shared_options.hpp"
 #include "cli/cgw/terminal.hpp"
 #include "cli/cgw/verbs.hpp"
 #include "driver/outputs.hpp"
@@ -17,13 +19,23 @@ constexpr std::string_view reminder =
     "Enter the parameters in both devices, save them in both, then reset BOTH devices:\n"
     "neither takes over a new configuration before its reset.\n";
 
+struct BuildOptions {
+    std::string file;
+    std::string directory;
+    bool check = false;         // compare instead of write
+    bool list_outputs = false;  // print the paths instead of write
+    std::string depfile;
+    bool color = false;
+    emit::Options artefacts;
+};
+
 std::string in_directory(const BuildOptions& options, const std::string& name) {
     return (std::filesystem::path(options.directory) / name).string();
 }
 
 int list_outputs(const BuildOptions& options) {
     std::string text;
-    for (const std::string& name : driver::build_file_names()) {
+    for (const std::string& name : driver::build_file_names(options.artefacts)) {
         text += in_directory(options, name) + "\n";
     }
     return print(text) ? exit_fine : exit_environment;
@@ -49,7 +61,7 @@ base::Result<void> write(const BuildOptions& options, const driver::CheckedFile&
 
 std::vector<std::string> outputs(const BuildOptions& options) {
     std::vector<std::string> paths;
-    for (const std::string& name : driver::build_file_names()) {
+    for (const std::string& name : driver::build_file_names(options.artefacts)) {
         paths.push_back(in_directory(options, name));
     }
     if (!options.depfile.empty()) {
@@ -71,8 +83,6 @@ std::string summary(const BuildOptions& options, const driver::CheckedFile& file
     return text + std::string(reminder);
 }
 
-}  // namespace
-
 int build(const BuildOptions& options) {
     if (options.list_outputs) {
         return list_outputs(options);
@@ -88,7 +98,7 @@ int build(const BuildOptions& options) {
         return exit_usage;
     }
     const emit::Plant plant = made->view();
-    const std::vector<driver::Artefact> artefacts = driver::build_artefacts(plant);
+    const std::vector<driver::Artefact> artefacts = driver::build_artefacts(plant, options.artefacts);
     if (options.check) {
         return compare(options, artefacts);
     }
@@ -102,5 +112,37 @@ int build(const BuildOptions& options) {
     }
     return print(summary(options, file, plant, artefacts)) ? exit_fine : exit_environment;
 }
+
+constexpr Option build_options[] = {
+    parameter_file_option,
+    {.names = "-o,--output",
+     .value = "DIR",
+     .summary = "directory for the artefacts; created if missing",
+     .required = true,
+     .completes = Completes::directories},
+    eds_name_option,
+    check_option,
+    list_outputs_option,
+    depfile_option,
+    color_option,
+};
+
+int run_build(const Arguments& arguments) {
+    refuse_dash(arguments, "--output");
+    refuse_dash(arguments, "--depfile");
+    BuildOptions options;
+    options.file = arguments.value("FILE");
+    options.directory = arguments.value("--output");
+    options.check = arguments.given("--check");
+    options.list_outputs = arguments.given("--list-outputs");
+    options.depfile = arguments.value("--depfile");
+    options.color = use_color(arguments, stderr);
+    options.artefacts.eds_name = eds_name_of(arguments);
+    return build(options);
+}
+
+}  // namespace
+
+const Verb build_verb = {"build", "check a parameter file and write all artefacts", build_options, run_build};
 
 }  // namespace cgw::cli

@@ -38,10 +38,10 @@ struct Origin {
 
 struct Options {
     std::string format;                                    // one of the emitter's formats; "" is its first
-    std::string section = ".cgw_config";                   // image-source: linker section
-    unsigned alignment = 8;                                // image-source: bytes, a power of two
-    std::string symbol = "cgw_config_image";               // image-source: C identifier
-    std::string eds_name = std::string(default_eds_name);  // as eds_file_name() returns it
+    std::string section = ".cgw_config";                   // --section: linker section
+    unsigned alignment = 8;                                // --align: bytes, a power of two
+    std::string symbol = "cgw_config_image";               // --symbol: C identifier
+    std::string eds_name = std::string(default_eds_name);  // --eds-name: as eds_file_name() returns it
 };
 
 struct Format {
@@ -55,6 +55,7 @@ struct Emitter {
     std::string_view summary;
     std::span<const Format> formats;
     base::Bytes (*emit)(const Plant&, const Options&);
+    std::span<const std::string_view> options{};  // what it takes beside --format: "--section"
     base::Bytes (*emit_generic)(const Origin&, const Options&) = nullptr;  // nullptr: needs a configuration
 };
 

@@ -9,6 +9,9 @@ constexpr std::array eds_formats{Format{"eds", ".eds", true}};
 constexpr std::array dcf_formats{Format{"dcf", ".dcf", true}};
 constexpr std::array image_formats{Format{"bin", "gateway-config.bin"}};
 constexpr std::array image_source_formats{Format{"cpp", ""}};
+constexpr std::array<std::string_view, 2> eds_options{"--generic", "--eds-name"};
+constexpr std::array<std::string_view, 1> named_options{"--eds-name"};
+constexpr std::array<std::string_view, 3> image_source_options{"--section", "--align", "--symbol"};
 
 template <typename Row>
 const Row* find_row(std::span<const Row> rows, std::string_view name) {
@@ -22,14 +25,14 @@ const Row* find_row(std::span<const Row> rows, std::string_view name) {
 std::span<const Emitter> all_emitters() {
     static const std::array emitters{
         Emitter{"eds", "electronic data sheet of the configured gateway (CiA 306)", eds_formats, emit_eds,
-                emit_generic_eds},
+                eds_options, emit_generic_eds},
         Emitter{"dcf", "device configuration file: the data sheet of this one node (CiA 306)", dcf_formats,
-                emit_dcf},
+                emit_dcf, named_options},
         Emitter{"pdo-table", "identifiers, cycle times and contents of the 20 PDOs", pdo_table_formats(),
                 emit_pdo_table},
         Emitter{"image", "configuration image for the gateway runtime", image_formats, emit_image},
         Emitter{"image-source", "the configuration image as C++ source", image_source_formats,
-                emit_image_source},
+                emit_image_source, image_source_options},
     };
     return emitters;
 }

@@ -46,11 +46,11 @@ base::Result<std::string> eds_file_name(std::string_view name) {
     const auto refuse = [name](std::string_view why) {
         return base::failure(fmt::format("'{}' is no name for a data sheet: {}", base::printable(name), why));
     };
-    if (name.empty() || !is_letter_or_digit(name.front())) {
-        return refuse("it begins with a letter or digit");
-    }
     if (!std::all_of(name.begin(), name.end(), is_allowed)) {
         return refuse("it has letters, digits, blanks and . _ - only, and no directory");
+    }
+    if (name.empty() || !is_letter_or_digit(name.front())) {
+        return refuse("it begins with a letter or digit");
     }
     const std::string complete = has_eds_ending(name) ? std::string(name) : std::string(name) + ".eds";
     const char last = complete[complete.size() - eds_ending.size() - 1];
