@@ -7,6 +7,7 @@ namespace {
 
 constexpr std::array eds_formats{Format{"eds", ".eds", true}};
 constexpr std::array dcf_formats{Format{"dcf", ".dcf", true}};
+constexpr std::array dbc_formats{Format{"dbc", ".dbc", true}};
 constexpr std::array image_formats{Format{"bin", "gateway-config.bin"}};
 constexpr std::array image_source_formats{Format{"cpp", ""}};
 constexpr std::array<std::string_view, 2> eds_options{"--generic", "--eds-name"};
@@ -28,6 +29,8 @@ std::span<const Emitter> all_emitters() {
                 eds_options, emit_generic_eds},
         Emitter{"dcf", "device configuration file: the data sheet of this one node (CiA 306)", dcf_formats,
                 emit_dcf, named_options},
+        Emitter{"dbc", "CAN database: messages and scaled signals of the active PDOs", dbc_formats, emit_dbc,
+                named_options},
         Emitter{"pdo-table", "identifiers, cycle times and contents of the 20 PDOs", pdo_table_formats(),
                 emit_pdo_table},
         Emitter{"image", "configuration image for the gateway runtime", image_formats, emit_image},
