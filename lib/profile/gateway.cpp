@@ -4,6 +4,7 @@
 #include <array>
 
 #include "dictionary/ascii.hpp"
+#include "facts/identifiers.hpp"
 #include "profile/gateway_objects.hpp"
 
 namespace cgw::profile {
@@ -28,7 +29,7 @@ constexpr std::uint16_t producer_heartbeat = 0x1017;
 constexpr std::uint16_t identity = 0x1018;
 
 constexpr std::array device_type{VariableRow{0, "Device Type", DataType::unsigned32}};
-constexpr std::array error_register{VariableRow{0, "Error Register", DataType::unsigned8}};
+constexpr std::array error_register{VariableRow{0, "Error Register", DataType::unsigned8, 0, false, true}};
 constexpr std::array consumer_heartbeat_entries{
     VariableRow{0, number_of_entries, DataType::unsigned8, 1},
     VariableRow{1, "Consumer Heartbeat Time", DataType::unsigned32},
@@ -43,8 +44,8 @@ constexpr std::array identity_entries{
 };
 constexpr std::array sdo_entries{
     VariableRow{0, number_of_entries, DataType::unsigned8, 2},
-    VariableRow{1, "COB-ID Client -> Server", DataType::unsigned32, 0x600, true},
-    VariableRow{2, "COB-ID Server -> Client", DataType::unsigned32, 0x580, true},
+    VariableRow{1, "COB-ID Client -> Server", DataType::unsigned32, facts::cob::sdo_request, true},
+    VariableRow{2, "COB-ID Server -> Client", DataType::unsigned32, facts::cob::sdo_answer, true},
 };
 
 // The communication profile without the PDOs. D42: nothing else of CiA 301 exists in the device.
@@ -158,6 +159,7 @@ Object object_of(const ObjectRow& row) {
         variable.name = from.name;
         variable.type = from.type;
         variable.default_value = {from.value, from.node_id_relative};
+        variable.run_time = from.run_time;
     }
     return object;
 }

@@ -1,0 +1,53 @@
+// A parameter file compiled, its gateway running beside the simulated governor, and its CAN database read.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+
+#include "base/bytes.hpp"
+#include "dbc_reader.hpp"
+#include "driver/check_file.hpp"
+#include "image/image.hpp"
+#include "simulation/master_node.hpp"
+#include "simulation/plant.hpp"
+
+namespace cgw::test {
+
+using canopen::Time;
+inline constexpr Time second = 1'000'000;
+
+class RunningPlant {
+  public:
+    // Throws when the file is not valid.
+    explicit RunningPlant(const std::string& path);
+
+    const driver::CheckedFile& file() const { return file_; }
+    const config::Configuration& configuration() const { return file_.configuration; }
+    const image::Image& image() const { return image_; }
+    simulation::Plant& plant() { return *plant_; }
+    simulation::SimulatedGovernor& governor() { return plant_->governor(); }
+    simulation::MasterNode& node() { return *node_; }
+
+    const DbcMessage& message(const config::Pdo& pdo) const;
+    const DbcMessage& message(const std::string& name) const { return messages_.at(name); }
+
+    // Boots and starts the gateway.
+    void start();
+    void run_for(Time time) { plant_->bus().run_until(plant_->bus().now() + time); }
+    // Encoded by the caller; the frame has the length of the message.
+    void send(const DbcMessage& message, const frame::Frame& frame);
+
+  private:
+    driver::CheckedFile file_;
+    cgw::base::Bytes bytes_;
+    image::Image image_;
+    std::map<std::string, DbcMessage> messages_;
+    std::unique_ptr<simulation::Plant> plant_;
+    std::unique_ptr<simulation::MasterNode> node_;
+};
+
+std::string pdo_name(const config::Pdo& pdo);  // "TPDO4"
+
+}  // namespace cgw::test
