@@ -48,4 +48,10 @@ TEST(BitRate, is_twice_as_high_in_an_at90can) {
               500'000U);
 }
 
+TEST(BitRate, is_rounded) {
+    EXPECT_EQ(bit_rate(registers(1, 5, 5, 1), BitTiming{7'372'800, ControllerFamily::at90can, {}}), 245'760U);
+    EXPECT_EQ(bit_rate(registers(63, 63, 63, 63), BitTiming{1, ControllerFamily::at90can, {}}), 0U);
+}
+
+}  // namespace
 }  // namespace cgw::config
