@@ -10,6 +10,7 @@
 
 #include "base/utf8.hpp"
 #include "cli/cgw/exit_codes.hpp"
+#include "cli/cgw/shared_options.hpp"
 
 namespace cgw::cli {
 
@@ -30,9 +31,14 @@ bool is_terminal(std::FILE* stream) {
     return ::isatty(::fileno(stream)) != 0;
 }
 
-bool use_color(Color color, std::FILE* stream) {
-    if (color != Color::automatic) {
-        return color == Color::always;
+std::vector<Word> color_words() {
+    return {{"auto", "on a terminal"}, {"always", ""}, {"never", ""}};
+}
+
+bool use_color(const Arguments& arguments, std::FILE* stream) {
+    const std::string when = arguments.value("--color");
+    if (when != "auto") {
+        return when == "always";
     }
     const char* no_color = std::getenv("NO_COLOR");
     const char* terminal = std::getenv("TERM");
@@ -40,14 +46,14 @@ bool use_color(Color color, std::FILE* stream) {
     return (no_color == nullptr || *no_color == '\0') && !dumb && is_terminal(stream);
 }
 
-void report_findings(const driver::CheckedFile& file, Color color) {
+void report_findings(const driver::CheckedFile& file, bool color) {
     if (file.findings.all().empty()) {
         return;
     }
     diagnostic::RenderInput input;
     input.files.push_back({file.path, file.findings.all()});
     input.sources = file.sources;
-    input.color = use_color(color, stderr);
+    input.color = color;
     std::fputs(diagnostic::render_human(input).c_str(), stderr);
 }
 

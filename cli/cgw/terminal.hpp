@@ -5,7 +5,7 @@
 #include <span>
 #include <string_view>
 
-#include "cli/cgw/options.hpp"
+#include "cli/cgw/command.hpp"
 #include "driver/check_file.hpp"
 
 namespace cgw::cli {
@@ -15,13 +15,14 @@ bool print(std::string_view text);
 
 void print_error(std::string_view line);  // "cgw: line" on stderr
 
-// always/never as asked; automatic: a terminal, and neither NO_COLOR nor TERM=dumb in the environment.
-bool use_color(Color color, std::FILE* stream);
+// What --color says: always, never; auto: a terminal, and neither NO_COLOR nor TERM=dumb in the environment.
+bool use_color(const Arguments& arguments, std::FILE* stream);
 
 bool is_terminal(std::FILE* stream);
 
 // Findings of a verb whose product goes elsewhere: for people, on stderr, nothing when there are none.
-void report_findings(const driver::CheckedFile& file, Color color);
+// `color`: use_color(…, stderr).
+void report_findings(const driver::CheckedFile& file, bool color);
 
 // Exit code of a checked file: exit_fine, exit_findings or exit_environment.
 int exit_code_of(const driver::CheckedFile& file);

@@ -4,6 +4,7 @@
 
 #include "base/utf8.hpp"
 #include "cli/cgw/exit_codes.hpp"
+#include "cli/cgw/shared_options.hpp"
 #include "cli/cgw/terminal.hpp"
 #include "cli/cgw/verbs.hpp"
 #include "driver/outputs.hpp"
@@ -16,6 +17,15 @@ namespace {
 constexpr std::string_view reminder =
     "Enter the parameters in both devices, save them in both, then reset BOTH devices:\n"
     "neither takes over a new configuration before its reset.\n";
+
+struct BuildOptions {
+    std::string file;
+    std::string directory;
+    bool check = false;         // compare instead of write
+    bool list_outputs = false;  // print the paths instead of write
+    std::string depfile;
+    bool color = false;
+};
 
 std::string in_directory(const BuildOptions& options, const std::string& name) {
     return (std::filesystem::path(options.directory) / name).string();
@@ -71,8 +81,6 @@ std::string summary(const BuildOptions& options, const driver::CheckedFile& file
     return text + std::string(reminder);
 }
 
-}  // namespace
-
 int build(const BuildOptions& options) {
     if (options.list_outputs) {
         return list_outputs(options);
@@ -102,5 +110,35 @@ int build(const BuildOptions& options) {
     }
     return print(summary(options, file, plant, artefacts)) ? exit_fine : exit_environment;
 }
+
+constexpr Option build_options[] = {
+    parameter_file_option,
+    {.names = "-o,--output",
+     .value = "DIR",
+     .summary = "directory for the artefacts; created if missing",
+     .required = true,
+     .completes = Completes::directories},
+    check_option,
+    list_outputs_option,
+    depfile_option,
+    color_option,
+};
+
+int run_build(const Arguments& arguments) {
+    refuse_dash(arguments, "--output");
+    refuse_dash(arguments, "--depfile");
+    BuildOptions options;
+    options.file = arguments.value("FILE");
+    options.directory = arguments.value("--output");
+    options.check = arguments.given("--check");
+    options.list_outputs = arguments.given("--list-outputs");
+    options.depfile = arguments.value("--depfile");
+    options.color = use_color(arguments, stderr);
+    return build(options);
+}
+
+}  // namespace
+
+const Verb build_verb = {"build", "check a parameter file and write all artefacts", build_options, run_build};
 
 }  // namespace cgw::cli

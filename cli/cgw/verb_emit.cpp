@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "cli/cgw/artefact_options.hpp"
 #include "cli/cgw/exit_codes.hpp"
+#include "cli/cgw/shared_options.hpp"
 #include "cli/cgw/terminal.hpp"
 #include "cli/cgw/verbs.hpp"
 #include "driver/outputs.hpp"
@@ -11,6 +13,17 @@
 
 namespace cgw::cli {
 namespace {
+
+struct EmitOptions {
+    const emit::Emitter* emitter = nullptr;
+    emit::Options artefact;
+    std::string file;
+    std::string output;
+    bool check = false;
+    bool list_outputs = false;
+    std::string depfile;
+    bool color = false;
+};
 
 int write_to_stdout(const base::Bytes& content) {
     const bool binary = std::find(content.begin(), content.end(), 0) != content.end();
@@ -50,8 +63,6 @@ int compare(const EmitOptions& options, const base::Bytes& content) {
     return exit_findings;
 }
 
-}  // namespace
-
 int emit(const EmitOptions& options) {
     if (options.list_outputs) {
         return print(options.output + "\n") ? exit_fine : exit_environment;
@@ -72,5 +83,44 @@ int emit(const EmitOptions& options) {
     }
     return options.output == "-" ? write_to_stdout(content) : write_to_file(options, file, content);
 }
+
+constexpr Option emit_options[] = {
+    emitter_option,
+    parameter_file_option,
+    {.names = "-o,--output",
+     .value = "PATH",
+     .summary = "output file; - is standard output",
+     .default_value = "-",
+     .completes = Completes::files},
+    artefact_format_option,
+    section_option,
+    alignment_option,
+    symbol_option,
+    check_option,
+    list_outputs_option,
+    depfile_option,
+    color_option,
+};
+
+int run_emit(const Arguments& arguments) {
+    refuse_dash(arguments, "--depfile");
+    EmitOptions options;
+    options.emitter = emit::find_emitter(arguments.value("NAME"));
+    options.artefact = artefact_options(arguments, *options.emitter);
+    options.file = arguments.value("FILE");
+    options.output = arguments.value("--output");
+    options.check = arguments.given("--check");
+    options.list_outputs = arguments.given("--list-outputs");
+    options.depfile = arguments.value("--depfile");
+    options.color = use_color(arguments, stderr);
+    if (options.output == "-" && (options.check || !options.depfile.empty())) {
+        throw UsageError("--check and --depfile need an output file: -o PATH");
+    }
+    return emit(options);
+}
+
+}  // namespace
+
+const Verb emit_verb = {"emit", "check a parameter file and write one artefact", emit_options, run_emit};
 
 }  // namespace cgw::cli

@@ -1,5 +1,3 @@
-#include "cli/cgw/verb_image.hpp"
-
 #include <fmt/format.h>
 
 #include <cstdio>
@@ -10,6 +8,7 @@
 #include "cli/cgw/exit_codes.hpp"
 #include "cli/cgw/image_report.hpp"
 #include "cli/cgw/terminal.hpp"
+#include "cli/cgw/verbs.hpp"
 #include "image/image.hpp"
 
 namespace cgw::cli {
@@ -51,9 +50,8 @@ LoadedImage load(const std::string& path) {
     return loaded;
 }
 
-}  // namespace
-
-int image_verify(const std::string& path) {
+int image_verify(const Arguments& arguments) {
+    const std::string path = arguments.value("FILE");
     const LoadedImage loaded = load(path);
     if (loaded.exit_code != exit_fine) {
         return loaded.exit_code;
@@ -61,14 +59,33 @@ int image_verify(const std::string& path) {
     return print(image_summary(base::printable(path), loaded.image) + "\n") ? exit_fine : exit_environment;
 }
 
-int image_inspect(const std::string& path, bool json) {
+int image_inspect(const Arguments& arguments) {
+    const std::string path = arguments.value("FILE");
     const LoadedImage loaded = load(path);
     if (loaded.exit_code != exit_fine) {
         return loaded.exit_code;
     }
-    const std::string text =
-        json ? image_as_json(path, loaded.image) : image_for_people(base::printable(path), loaded.image);
+    const std::string text = arguments.given("--json")
+                                 ? image_as_json(path, loaded.image)
+                                 : image_for_people(base::printable(path), loaded.image);
     return print(text) ? exit_fine : exit_environment;
 }
+
+constexpr Option image_option = {
+    .names = "FILE", .summary = "configuration image", .required = true, .completes = Completes::files};
+
+constexpr Option verify_options[] = {image_option};
+
+constexpr Option inspect_options[] = {
+    image_option,
+    {.names = "--json", .summary = "as one JSON document"},
+};
+
+}  // namespace
+
+const Verb image_verify_verb = {"image verify", "say whether the gateway would take an image", verify_options,
+                                image_verify};
+
+const Verb image_inspect_verb = {"image inspect", "show what an image holds", inspect_options, image_inspect};
 
 }  // namespace cgw::cli

@@ -1,12 +1,14 @@
-// One function per verb; each returns the exit code.
+// The rows of the verb table, one file verb_….cpp each.
 #pragma once
 
-#include "cli/cgw/options.hpp"
+#include "cli/cgw/command.hpp"
 
 namespace cgw::cli {
 
-int check(const CheckOptions& options);
-int build(const BuildOptions& options);
-int emit(const EmitOptions& options);
+extern const Verb check_verb;
+extern const Verb build_verb;
+extern const Verb emit_verb;
+extern const Verb image_verify_verb;
+extern const Verb image_inspect_verb;
 
 }  // namespace cgw::cli

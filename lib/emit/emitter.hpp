@@ -28,9 +28,9 @@ struct Plant {
 
 struct Options {
     std::string format;                       // one of the emitter's formats; "" is its first
-    std::string section = ".cgw_config";      // image-source: linker section
-    unsigned alignment = 8;                   // image-source: bytes, a power of two
-    std::string symbol = "cgw_config_image";  // image-source: C identifier
+    std::string section = ".cgw_config";      // --section: linker section
+    unsigned alignment = 8;                   // --align: bytes, a power of two
+    std::string symbol = "cgw_config_image";  // --symbol: C identifier
 };
 
 struct Format {
@@ -43,6 +43,7 @@ struct Emitter {
     std::string_view summary;
     std::span<const Format> formats;
     base::Bytes (*emit)(const Plant&, const Options&);
+    std::span<const std::string_view> options{};  // what it takes beside --format: "--section"
 };
 
 std::span<const Emitter> all_emitters();

@@ -8,6 +8,7 @@ namespace {
 constexpr std::array eds_formats{Format{"eds", "CANopenGateway.eds"}};
 constexpr std::array image_formats{Format{"bin", "gateway-config.bin"}};
 constexpr std::array image_source_formats{Format{"cpp", ""}};
+constexpr std::array<std::string_view, 3> image_source_options{"--section", "--align", "--symbol"};
 
 template <typename Row>
 const Row* find_row(std::span<const Row> rows, std::string_view name) {
@@ -25,7 +26,7 @@ std::span<const Emitter> all_emitters() {
                 emit_pdo_table},
         Emitter{"image", "configuration image for the gateway runtime", image_formats, emit_image},
         Emitter{"image-source", "the configuration image as C++ source", image_source_formats,
-                emit_image_source},
+                emit_image_source, image_source_options},
     };
     return emitters;
 }

@@ -152,9 +152,19 @@ class Usage(Verb):
 
     def test_mistakes_are_exit_2_and_go_to_stderr(self):
         self.assert_usage("did you mean 'check'?", "chek", GENSET)
-        self.assert_usage("subcommand is required", *[])
-        self.assert_usage("--bogus", "check", "--bogus", GENSET)
-        self.assert_usage("FILE", "check")
+        self.assert_usage("a verb is missing", *[])
+        self.assert_usage("cgw image needs one of verify, inspect", "image")
+        self.assert_usage("did you mean 'image verify'?", "image", "verfy", "x")
+        self.assert_usage("cgw check has no option --bogus", "check", "--bogus", GENSET)
+        self.assert_usage("cgw check has no option -x", "check", "-x")
+        self.assert_usage("did you mean '--format'?", "check", "--formt", "json", GENSET)
+        self.assert_usage("FILE is missing", "check")
+        self.assert_usage("FORMAT missing", "check", GENSET, "--format")
+        self.assert_usage("--format is given twice: json and human", "check", GENSET, "--format", "json",
+                          "--format=human")
+        self.assert_usage("'b' is one argument too many", "emit", "eds", "a", "b")
+        self.assert_usage("--section is an option of image-source, not of eds", "emit", "eds", GENSET,
+                          "--section", ".x")
         self.assert_usage("human, concise, json", "check", "--format", "xml", GENSET)
         self.assert_usage("--color", "check", "--color", "sometimes", GENSET)
         self.assert_usage("did you mean 'node-id-duplicate'?", "check", "-W", "no-node-id-duplicat", GENSET)
@@ -179,6 +189,22 @@ class Usage(Verb):
     def test_a_usage_mistake_is_one_line_with_the_programs_name(self):
         text = cgw("check").stderr.decode()
         self.assertRegex(text, r"\Acgw: [^\n]*\n\Z")
+
+    def test_two_dashes_end_the_options(self):
+        result = cgw("check", "--", "-h")
+        self.assertEqual((result.returncode, result.stderr), (3, b""))
+        self.assertIn(b"cannot read -h", result.stdout)
+
+    def test_help_fits_80_columns_and_every_option_is_documented(self):
+        documented = pathlib.Path(os.environ["CGW_DOCS"], "command-line.md").read_text()
+        verbs = re.findall(r"^  ([a-z]+(?: [a-z]+)?)  ", cgw("--help").stdout.decode(), re.M)
+        self.assertIn("image inspect", verbs)
+        for verb in verbs:
+            text = cgw(*verb.split(), "--help").stdout.decode()
+            self.assertLessEqual(max(map(len, text.splitlines())), 80, verb)
+            self.assertIn(f"cgw {verb}", documented)
+            for option in re.findall(r"^  (-[-\w]+)", text, re.M):
+                self.assertIn(f"{option}", documented, verb)
 
     def test_help_and_version_go_to_stdout(self):
         result = cgw("--version")

@@ -1,0 +1,108 @@
+#include "cli/cgw/artefact_options.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+
+namespace cgw::cli {
+namespace {
+
+bool is_letter(char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
+}
+
+bool is_letter_or_digit(char c) {
+    return is_letter(c) || (c >= '0' && c <= '9');
+}
+
+std::string format_of(const Arguments& arguments, const emit::Emitter& emitter) {
+    const std::string name = arguments.value("--format");
+    if (emit::find_format(emitter, name) == nullptr) {
+        std::vector<std::string_view> names;
+        for (const emit::Format& format : emitter.formats) {
+            names.push_back(format.name);
+        }
+        throw UsageError(fmt::format("--format {}: the formats of {} are {}{}", name, emitter.name,
+                                     fmt::join(names, ", "), did_you_mean(name, names)));
+    }
+    return name;
+}
+
+unsigned alignment_of(const std::string& text) {
+    constexpr unsigned largest = 4096;
+    unsigned n = 0;
+    const char* const end = text.data() + text.size();
+    const auto [stop, error] = std::from_chars(text.data(), end, n);
+    if (error != std::errc{} || stop != end || n == 0 || n > largest || (n & (n - 1)) != 0) {
+        throw UsageError(
+            fmt::format("--align {}: the alignment is a power of two from 1 to {}", text, largest));
+    }
+    return n;
+}
+
+std::string symbol_of(const std::string& symbol) {
+    if (symbol.empty() || !is_letter(symbol.front()) ||
+        !std::all_of(symbol.begin(), symbol.end(), is_letter_or_digit)) {
+        throw UsageError(fmt::format("--symbol {}: not a C identifier", symbol));
+    }
+    return symbol;
+}
+
+std::string section_of(const std::string& section) {
+    const auto fits = [](char c) { return is_letter_or_digit(c) || c == '.' || c == '-' || c == '$'; };
+    if (section.empty() || !std::all_of(section.begin(), section.end(), fits)) {
+        throw UsageError(
+            fmt::format("--section {}: a section name has letters, digits and . _ - $ only", section));
+    }
+    return section;
+}
+
+void refuse_foreign_options(const Arguments& arguments, const emit::Emitter& emitter) {
+    for (const emit::Emitter& other : emit::all_emitters()) {
+        for (const std::string_view option : other.options) {
+            const bool taken =
+                std::find(emitter.options.begin(), emitter.options.end(), option) != emitter.options.end();
+            if (!taken && arguments.given(option)) {
+                throw UsageError(
+                    fmt::format("{} is an option of {}, not of {}", option, other.name, emitter.name));
+            }
+        }
+    }
+}
+
+}  // namespace
+
+std::vector<Word> emitter_words() {
+    std::vector<Word> words;
+    for (const emit::Emitter& emitter : emit::all_emitters()) {
+        words.push_back({emitter.name, emitter.summary});
+    }
+    return words;
+}
+
+std::vector<Word> artefact_format_words() {
+    std::vector<Word> words;
+    for (const emit::Emitter& emitter : emit::all_emitters()) {
+        for (const emit::Format& format : emitter.formats) {
+            const bool known = std::any_of(words.begin(), words.end(),
+                                           [&format](const Word& word) { return word.name == format.name; });
+            if (!known) {
+                words.push_back({format.name, ""});
+            }
+        }
+    }
+    return words;
+}
+
+emit::Options artefact_options(const Arguments& arguments, const emit::Emitter& emitter) {
+    refuse_foreign_options(arguments, emitter);
+    emit::Options options;
+    options.format = format_of(arguments, emitter);
+    options.section = section_of(arguments.value("--section"));
+    options.alignment = alignment_of(arguments.value("--align"));
+    options.symbol = symbol_of(arguments.value("--symbol"));
+    return options;
+}
+
+}  // namespace cgw::cli

@@ -1,0 +1,35 @@
+// The options that only some artefacts take: --format, --section, …
+#pragma once
+
+#include "cli/cgw/command.hpp"
+#include "emit/emitter.hpp"
+
+namespace cgw::cli {
+
+std::vector<Word> emitter_words();
+
+// Every format of every emitter; which ones an emitter has, artefact_options() checks.
+std::vector<Word> artefact_format_words();
+
+inline constexpr Option emitter_option = {
+    .names = "NAME", .summary = "artefact", .required = true, .words = emitter_words};
+inline constexpr Option artefact_format_option = {.names = "--format",
+                                                  .value = "FORMAT",
+                                                  .summary = "form of the artefact, where it has several",
+                                                  .words = artefact_format_words,
+                                                  .only_words = false};
+inline constexpr Option section_option = {.names = "--section",
+                                          .value = "NAME",
+                                          .summary = "image-source: linker section",
+                                          .default_value = ".cgw_config"};
+inline constexpr Option alignment_option = {
+    .names = "--align", .value = "N", .summary = "image-source: alignment in bytes", .default_value = "8"};
+inline constexpr Option symbol_option = {.names = "--symbol",
+                                         .value = "NAME",
+                                         .summary = "image-source: name of the array",
+                                         .default_value = "cgw_config_image"};
+
+// Throws UsageError when a value is wrong or the emitter does not take an option that was given.
+emit::Options artefact_options(const Arguments& arguments, const emit::Emitter& emitter);
+
+}  // namespace cgw::cli

@@ -1,0 +1,12 @@
+#include "cli/cgw/verbs.hpp"
+
+namespace cgw::cli {
+
+std::span<const Verb* const> all_verbs() {
+    static constexpr const Verb* verbs[] = {
+        &check_verb, &build_verb, &emit_verb, &image_verify_verb, &image_inspect_verb,
+    };
+    return verbs;
+}
+
+}  // namespace cgw::cli
