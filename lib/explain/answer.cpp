@@ -18,9 +18,10 @@ void append_field(std::string& text, const Field& field, std::size_t label_width
     const std::size_t column = indentation + label_width + gap;
     std::string head = fmt::format("{:{}}{:{}}", "", indentation, field.label, label_width + gap);
     for (const std::string& line : field.lines) {
-        const std::string_view bullet = field.lines.size() > 1 && !field.verbatim ? "- " : "";
-        const std::vector<std::string> parts =
-            field.verbatim ? std::vector{line} : wrap(line, page_width - column - bullet.size());
+        const std::string_view bullet = field.lines.size() > 1 && field.style == Style::facts ? "- " : "";
+        const std::vector<std::string> parts = field.style == Style::verbatim
+                                                   ? std::vector{line}
+                                                   : wrap(line, page_width - column - bullet.size());
         for (std::size_t i = 0; i < parts.size(); ++i) {
             const std::string_view mark = i == 0 ? bullet : bullet.empty() ? "" : "  ";
             text += fmt::format("{}{}{}\n", head, mark, parts[i]);
@@ -50,9 +51,9 @@ void Entry::add(std::string_view label, std::string_view line) {
     }
 }
 
-void Entry::add(std::string_view label, std::vector<std::string> lines) {
+void Entry::add(std::string_view label, std::vector<std::string> lines, Style style) {
     if (!lines.empty()) {
-        fields.push_back({std::string(label), std::move(lines)});
+        fields.push_back({std::string(label), std::move(lines), style});
     }
 }
 

@@ -7,11 +7,17 @@
 
 namespace cgw::explain {
 
-// "cause" and its lines. Several lines are several facts, each a clause.
+enum class Style {
+    facts,     // several lines are several facts, each a clause; a list where there are more than one
+    lines,     // one below the other
+    verbatim,  // lines of a parameter file: not even wrapped
+};
+
+// "cause" and its lines.
 struct Field {
     std::string label;
     std::vector<std::string> lines;
-    bool verbatim = false;  // lines of a parameter file: neither wrapped nor bulleted
+    Style style = Style::facts;
 };
 
 // One thing that a question is about: a parameter of one device, an error, an object, a rule, a value.
@@ -22,7 +28,7 @@ struct Entry {
 
     // Adds a field unless it would be empty.
     void add(std::string_view label, std::string_view line);
-    void add(std::string_view label, std::vector<std::string> lines);
+    void add(std::string_view label, std::vector<std::string> lines, Style style = Style::facts);
 };
 
 struct Answer {

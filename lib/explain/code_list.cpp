@@ -71,7 +71,7 @@ Table code_list(const Catalogue& catalogue, std::optional<Device> device) {
         {"kind", "", in_data},    {"device", "", in_data},
         {"program", "", in_data}, {"code", "code"},
         {"name", "name"},         {"seen_in", "seen in"},
-        {"text", "meaning"},      {"section", "printed in", in_page | in_data},
+        {"text", "meaning"},      {"source", "source", in_page | in_data},
     };
     for (const Device one : {Device::governor, Device::gateway}) {
         for (const Program program : {Program::application, Program::bootloader}) {

@@ -16,8 +16,9 @@ namespace cgw::explain {
 
 Entry parameter_entry(const parameter::Row& row, const parameter::Catalogue& catalogue);
 
-// Parameters of that number in both devices and programs, with the errors they show.
-std::vector<Entry> number_entries(std::uint16_t number, const parameter::Catalogue& catalogue);
+// The errors that these parameters show, each once, and after them the parameters.
+std::vector<Entry> row_entries(const std::vector<const parameter::Row*>& rows,
+                               const parameter::Catalogue& catalogue);
 
 Entry error_entry(const catalogue::ErrorDescription& error, const parameter::Catalogue& catalogue);
 

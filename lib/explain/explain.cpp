@@ -53,6 +53,20 @@ Answer explained(std::vector<Entry> entries) {
     return {{}, std::move(entries), {}, {}};
 }
 
+// The row of that number or name in each device and program.
+template <typename NumberOrName>
+std::vector<const Row*> rows_of(NumberOrName wanted, const Catalogue& catalogue) {
+    std::vector<const Row*> rows;
+    for (const Device device : devices) {
+        for (const Program program : programs) {
+            if (const Row* row = catalogue.find(device, program, wanted)) {
+                rows.push_back(row);
+            }
+        }
+    }
+    return rows;
+}
+
 // --- numbers ---
 
 Entry misprint_entry(const Row& row, std::uint16_t number, const Catalogue& catalogue) {
@@ -68,12 +82,12 @@ Entry nameless_error(std::uint16_t number) {
     Entry entry{"error", fmt::format("error {}", number), {}};
     entry.add("meaning", "no document names it, see the governor's own manual");
     entry.add("seen in", fmt::format("bit {} of {}", bit % 16, object_text(0x2000, bit / 16 + 1)));
-    entry.add("printed in", "GWM 9.1, D21");
+    entry.add("source", "GWM 9.1, D21");
     return entry;
 }
 
 Answer explain_number(std::uint16_t number, const Catalogue& catalogue) {
-    std::vector<Entry> entries = number_entries(number, catalogue);
+    std::vector<Entry> entries = row_entries(rows_of(number, catalogue), catalogue);
     for (const Device device : devices) {
         if (const Row* row = catalogue.find_misprint(device, number, "")) {
             entries.push_back(misprint_entry(*row, number, catalogue));
@@ -91,19 +105,6 @@ Answer explain_number(std::uint16_t number, const Catalogue& catalogue) {
 
 // --- names ---
 
-// The row of that name in each device and program, in the order of number_entries.
-std::vector<const Row*> rows_named(std::string_view name, const Catalogue& catalogue) {
-    std::vector<const Row*> rows;
-    for (const Device device : devices) {
-        for (const Program program : programs) {
-            if (const Row* row = catalogue.find(device, program, name)) {
-                rows.push_back(row);
-            }
-        }
-    }
-    return rows;
-}
-
 // "416 HzmCanBaudrate": the name tells the device.
 std::vector<const Row*> rows_numbered_and_named(std::string_view text, const Catalogue& catalogue) {
     const std::size_t blank = text.find(' ');
@@ -112,7 +113,7 @@ std::vector<const Row*> rows_numbered_and_named(std::string_view text, const Cat
     std::vector<const Row*> rows;
     if (number) {
         const std::string_view name = trimmed(text.substr(blank));
-        for (const Row* row : rows_named(name, catalogue)) {
+        for (const Row* row : rows_of(name, catalogue)) {
             if (row->number == *number) {
                 rows.push_back(row);
             }
@@ -129,34 +130,10 @@ std::vector<const Row*> rows_numbered_and_named(std::string_view text, const Cat
 
 std::vector<const Row*> rows_meant(std::string_view text, const Catalogue& catalogue) {
     if (const auto number = parse_parameter_number(text)) {
-        std::vector<const Row*> rows;
-        for (const Device device : devices) {
-            for (const Program program : programs) {
-                if (const Row* row = catalogue.find(device, program, *number)) {
-                    rows.push_back(row);
-                }
-            }
-        }
-        return rows;
+        return rows_of(*number, catalogue);
     }
-    std::vector<const Row*> rows = rows_named(text, catalogue);
+    std::vector<const Row*> rows = rows_of(text, catalogue);
     return rows.empty() ? rows_numbered_and_named(text, catalogue) : rows;
-}
-
-std::vector<Entry> row_entries(const std::vector<const Row*>& rows, const Catalogue& catalogue) {
-    std::vector<Entry> entries;
-    const catalogue::ErrorDescription* told = nullptr;
-    for (const Row* row : rows) {
-        entries.push_back(parameter_entry(*row, catalogue));
-    }
-    for (const Row* row : rows) {
-        const auto* error = catalogue::find_error(row->device, row->program, row->number);
-        if (error != nullptr && error != told) {
-            entries.push_back(error_entry(*error, catalogue));
-            told = error;
-        }
-    }
-    return entries;
 }
 
 bool equal_ignoring_case(std::string_view a, std::string_view b) {

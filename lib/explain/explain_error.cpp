@@ -73,7 +73,7 @@ Entry error_entry(const ErrorDescription& error, const Catalogue& catalogue) {
                                          references(counter, error, catalogue)));
     }
     entry.add("see also", references(error.see, error, catalogue));
-    entry.add("printed in", error.section);
+    entry.add("source", error.section);
     return entry;
 }
 

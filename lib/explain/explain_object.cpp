@@ -63,8 +63,17 @@ std::string_view type_text(object::DataType type) {
     return {};
 }
 
-std::string access_text(const dictionary::Variable& variable) {
-    const bool by_rpdo = variable.access == object::Access::rww;
+// 2001h and 2002h have no entries here that could say their type (D43).
+object::DataType type_of(std::uint16_t index, const dictionary::Variable* variable) {
+    if (variable != nullptr) {
+        return variable->type;
+    }
+    return index == config::object::signed_outputs ? object::DataType::integer16
+                                                   : object::DataType::unsigned16;
+}
+
+std::string_view access_text(const dictionary::Variable* variable) {
+    const bool by_rpdo = variable != nullptr && variable->access == object::Access::rww;
     return by_rpdo ? "read by SDO, written by RPDO only" : "read by SDO, cannot be written";
 }
 
@@ -121,13 +130,15 @@ std::optional<Entry> object_entry(const ObjectName& name, const Catalogue& catal
         entry.add("entries", has_configured_names(name.index) ? "0 is their number, 1 upward the values"
                                                               : entries_text(*object));
     } else {
-        const dictionary::Variable& typed = variable != nullptr ? *variable : object->variables.back();
-        entry.add("type", fmt::format("{}, {}", type_text(typed.type), access_text(typed)));
-        entry.add("value", sub == 0 && !is_variable ? "" : value_text(description, typed));
+        entry.add("type",
+                  fmt::format("{}, {}", type_text(type_of(name.index, variable)), access_text(variable)));
+        if (variable != nullptr && (sub != 0 || is_variable)) {
+            entry.add("value", value_text(description, *variable));
+        }
         entry.add("bits", bit_lines(catalogue::object_bits(name.index, sub, catalogue)));
     }
     entry.add("comes from", description.source);
-    entry.add("printed in", description.section);
+    entry.add("source", description.section);
     return entry;
 }
 

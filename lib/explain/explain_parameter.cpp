@@ -147,10 +147,10 @@ std::string failure_text(const Row& row) {
     switch (row.role) {
         case Role::switch_assignment:
         case Role::switch_type:
-            return "explained by: cgw explain switch-error";
+            return "cgw explain switch-error tells when it falls to 0";
         case Role::sensor_assignment:
         case Role::sensor_type:
-            return "explained by: cgw explain sensor-error";
+            return "cgw explain sensor-error tells when it counts as faulty";
         case Role::none:
             return {};
     }
@@ -194,30 +194,26 @@ Entry parameter_entry(const Row& row, const Catalogue& catalogue) {
     entry.add("tells of", belongs_text(row, catalogue));
     entry.add("failure", failure_text(row));
     entry.add("also", alias_lines(row));
-    entry.add("printed in", row.section);
+    entry.add("source", row.section);
     return entry;
 }
 
-std::vector<Entry> number_entries(std::uint16_t number, const Catalogue& catalogue) {
+std::vector<Entry> row_entries(const std::vector<const Row*>& rows, const Catalogue& catalogue) {
     std::vector<Entry> entries;
     std::vector<const ErrorDescription*> errors;
-    for (const Device device : {Device::governor, Device::gateway}) {
-        for (const Program program : {Program::application, Program::bootloader}) {
-            const Row* row = catalogue.find(device, program, number);
-            if (row == nullptr) {
-                continue;
-            }
-            entries.push_back(parameter_entry(*row, catalogue));
-            const ErrorDescription* error = catalogue::find_error(device, program, number);
-            if (error != nullptr && std::find(errors.begin(), errors.end(), error) == errors.end()) {
-                errors.push_back(error);
-            }
+    for (const Row* row : rows) {
+        entries.push_back(parameter_entry(*row, catalogue));
+        const ErrorDescription* error = catalogue::find_error(row->device, row->program, row->number);
+        if (error != nullptr && std::find(errors.begin(), errors.end(), error) == errors.end()) {
+            errors.push_back(error);
         }
     }
+    std::vector<Entry> all;
     for (const ErrorDescription* error : errors) {
-        entries.push_back(error_entry(*error, catalogue));
+        all.push_back(error_entry(*error, catalogue));
     }
-    return entries;
+    all.insert(all.end(), std::make_move_iterator(entries.begin()), std::make_move_iterator(entries.end()));
+    return all;
 }
 
 }  // namespace cgw::explain

@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "explain/entries.hpp"
@@ -16,12 +18,6 @@ std::vector<std::string> lines_of(std::string_view text) {
     return lines;
 }
 
-void add_example(Entry& entry, std::string_view label, std::string_view text) {
-    if (!text.empty()) {
-        entry.fields.push_back({std::string(label), lines_of(text), true});
-    }
-}
-
 }  // namespace
 
 Entry rule_entry(const diagnostic::Rule& rule) {
@@ -29,12 +25,12 @@ Entry rule_entry(const diagnostic::Rule& rule) {
         "check", fmt::format("{} {} ({})", rule.code, rule.name, diagnostic::to_text(rule.level)), {}};
     entry.add("demands", rule.summary);
     entry.add("why", rule.why);
-    add_example(entry, "bad", rule.bad);
-    add_example(entry, "good", rule.good);
+    entry.add("bad", lines_of(rule.bad), Style::verbatim);
+    entry.add("good", lines_of(rule.good), Style::verbatim);
     if (rule.level != diagnostic::Level::error) {
         entry.add("to hide", fmt::format("-W no-{}", rule.name));
     }
-    entry.add("printed in", rule.reference);
+    entry.add("source", rule.reference);
     return entry;
 }
 
@@ -44,7 +40,7 @@ Entry abort_code_entry(const AbortCodeRow& row) {
     entry.add("gateway",
               row.gateway.empty() ? "does not send it" : fmt::format("sends it for {}", row.gateway));
     entry.add("action", row.action);
-    entry.add("printed in", row.gateway.empty() ? "CiA 301" : "CiA 301, GWM 5.2, D51");
+    entry.add("source", row.gateway.empty() ? "CiA 301" : "CiA 301, GWM 5.2, D51");
     return entry;
 }
 

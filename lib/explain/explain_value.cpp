@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "catalogue/objects.hpp"
+#include "config/numbers.hpp"
 #include "explain/device_objects.hpp"
 #include "explain/entries.hpp"
 #include "explain/wording.hpp"
@@ -37,7 +38,7 @@ std::vector<std::string> error_lines(const std::string& name, const ErrorDescrip
     std::vector<std::string> lines{name};
     add_all(lines, "cause", error.cause);
     add_all(lines, "action", error.action);
-    lines.push_back(fmt::format("clears {}", error.clears));
+    lines.push_back(fmt::format("clears: {}", error.clears));
     return lines;
 }
 
@@ -64,8 +65,9 @@ std::vector<std::string> parameter_bit_lines(std::uint16_t number, const Catalog
     return lines;
 }
 
-std::vector<std::string> unknown_bit_lines(const catalogue::ObjectDescription* object, int number) {
-    if (object != nullptr && object->bit_parameter != 0 && number < 3100) {
+// D21: the governor has errors that our documents do not name. The bits of 2005h are all known (D52).
+std::vector<std::string> unknown_bit_lines(const catalogue::ObjectDescription& object, int number) {
+    if (object.index == config::object::errors && object.bit_parameter != 0) {
         return {fmt::format("error {}: no document names it, see the governor's own manual", number)};
     }
     return {"no meaning is known: free, or not printed"};
@@ -94,9 +96,10 @@ void add_object_bits(Entry& entry, const ObjectName& name, std::uint32_t value, 
                                      static_cast<int>(bit)
                                : 0;
         if (named == nullptr) {
-            entry.add(title, unknown_bit_lines(object, number));
+            entry.add(title, unknown_bit_lines(*object, number));
         } else if (is_parameter) {
-            entry.add(title, parameter_bit_lines(static_cast<std::uint16_t>(number), catalogue));
+            entry.add(title, parameter_bit_lines(static_cast<std::uint16_t>(number), catalogue),
+                      Style::lines);
         } else {
             entry.add(title, fmt::format("{}: {}", named->name, named->text));
         }
@@ -203,7 +206,7 @@ Entry parameter_value_entry(const Row& row, std::uint32_t value, const Catalogue
     }
     const Entry more = error_entry(*error, catalogue);
     std::copy_if(more.fields.begin(), more.fields.end(), std::back_inserter(entry.fields),
-                 [](const Field& field) { return field.label != "printed in"; });
+                 [](const Field& field) { return field.label != "source"; });
     return entry;
 }
 
@@ -241,7 +244,7 @@ Answer object_value_answer(const ObjectName& name, std::uint32_t value, const Ca
     } else {
         add_object_bits(entry, name, value, width, catalogue);
     }
-    entry.add("printed in", catalogue::find_object(name.index, sub)->section);
+    entry.add("source", catalogue::find_object(name.index, sub)->section);
     return answer;
 }
 

@@ -95,7 +95,7 @@ Table parameter_list(const Catalogue& catalogue, std::optional<Device> device, b
         {"base", "", in_data},
         {"text", "meaning"},
         {"used", "feeds", in_page | in_data},
-        {"section", "printed in", in_page | in_data},
+        {"source", "source", in_page | in_data},
     };
     for (const Device one : {Device::governor, Device::gateway}) {
         for (const Program program : {Program::application, Program::bootloader}) {

@@ -49,16 +49,19 @@ std::vector<Group> groups_of(const Table& table) {
 
 // --- table ---
 
+// One group with its title line; columns are as wide as this group needs.
 class TextTable {
   public:
-    explicit TextTable(const Table& table) : table_(table), shown_(shown_columns(table, in_text)) {
+    TextTable(const Table& table, const Group& group)
+        : table_(table), group_(group), shown_(shown_columns(table, in_text)) {
         for (const std::size_t column : shown_) {
-            std::size_t width = width_of(table.columns[column].title);
-            for (const Row& row : table.rows) {
-                width = std::max(width, width_of(row[column]));
+            std::size_t width = 0;
+            for (const Row* row : group.rows) {
+                width = std::max(width, width_of((*row)[column]));
             }
-            widths_.push_back(width);
-            offset_ += column != shown_.back() ? width + gap : 0;
+            const bool empty = width == 0;  // nobody misses it
+            widths_.push_back(empty ? 0 : std::max(width, width_of(table.columns[column].title)));
+            offset_ += column != shown_.back() && !empty ? widths_.back() + gap : 0;
         }
         below_ = offset_ + std::min(narrowest, widths_.back()) > page_width;
     }
@@ -68,14 +71,9 @@ class TextTable {
         for (const Column& column : table_.columns) {
             titles.emplace_back(column.title);
         }
-        for (const Group& group : groups_of(table_)) {
-            if (!group.name.empty()) {
-                text_ += fmt::format("{}{}\n\n", text_.empty() ? "" : "\n", group.name);
-            }
-            append(titles);
-            for (const Row* row : group.rows) {
-                append(*row);
-            }
+        append(titles);
+        for (const Row* row : group_.rows) {
+            append(*row);
         }
         return text_;
     }
@@ -84,16 +82,17 @@ class TextTable {
     void append(const Row& row) {
         std::string line;
         for (std::size_t i = 0; i + 1 < shown_.size(); ++i) {
-            const std::string& cell = row[shown_[i]];
-            line += cell + std::string(widths_[i] - width_of(cell) + gap, ' ');
+            if (widths_[i] != 0) {
+                const std::string& cell = row[shown_[i]];
+                line += cell + std::string(widths_[i] - width_of(cell) + gap, ' ');
+            }
         }
-        const std::string& last = row[shown_.back()];
         const std::size_t indent = below_ ? indentation : offset_;
         if (below_) {
             append_line(line);
             line = std::string(indent, ' ');
         }
-        for (const std::string& part : wrap(last, page_width - indent)) {
+        for (const std::string& part : wrap(row[shown_.back()], page_width - indent)) {
             append_line(line + part);
             line = std::string(indent, ' ');
         }
@@ -107,6 +106,7 @@ class TextTable {
     }
 
     const Table& table_;
+    const Group& group_;
     std::vector<std::size_t> shown_;
     std::vector<std::size_t> widths_;
     std::size_t offset_ = 0;  // column in which the last one starts
@@ -115,7 +115,14 @@ class TextTable {
 };
 
 std::string render_text(const Table& table) {
-    return TextTable(table).render();
+    std::string text;
+    for (const Group& group : groups_of(table)) {
+        if (!group.name.empty()) {
+            text += fmt::format("{}{}\n\n", text.empty() ? "" : "\n", group.name);
+        }
+        text += TextTable(table, group).render();
+    }
+    return text;
 }
 
 // --- Markdown ---
