@@ -112,9 +112,9 @@ int list(const Arguments& arguments) {
 
 }  // namespace
 
-const Verb list_verb = {
-    "list", "list what cgw knows: parameters, checks, emitters, codes", list_options, list,
-    "In the formats table and md, the elements of an array share a line; in json and csv\n"
-    "every number has a line of its own.\n"};
+const Verb list_verb = {"list", "list what cgw knows: parameters, checks, emitters, codes", list_options,
+                        list,
+                        "In table and md the elements of an array share a line; in json and csv every\n"
+                        "number has a line of its own.\n"};
 
 }  // namespace cgw::cli

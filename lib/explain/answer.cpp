@@ -88,7 +88,7 @@ std::string render_json(const std::vector<Answer>& answers) {
         json.end_array().end_object();
     }
     json.end_array().end_object();
-    return json.take() + "\n";
+    return json.take();
 }
 
 }  // namespace cgw::explain

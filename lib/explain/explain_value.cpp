@@ -221,6 +221,7 @@ Answer object_value_answer(const ObjectName& name, std::uint32_t value, const Ca
         return answer;
     }
     const bool is_variable = object->code == object::ObjectCode::var;
+    const std::string where = is_variable ? object_text(name.index) : object_text(name.index, sub);
     if (!is_variable && !name.sub) {
         answer.complaint = fmt::format("{} has several entries", object_text(name.index));
         answer.help = fmt::format("say which: {}={}", object_text(name.index, 1), value);
@@ -230,13 +231,11 @@ Answer object_value_answer(const ObjectName& name, std::uint32_t value, const Ca
     const unsigned width =
         variable != nullptr ? 8U * object::size_of(variable->type) : word;  // 5.1: manufacturer objects
     if (width < 2 * word && value >> width != 0) {
-        answer.complaint = fmt::format("{:X}h does not fit {}, which has {} bits", value,
-                                       object_text(name.index, sub), width);
+        answer.complaint = fmt::format("{:X}h does not fit {}, which has {} bits", value, where, width);
         return answer;
     }
     Entry& entry = answer.entries.emplace_back();
     entry.kind = "value";
-    const std::string where = is_variable ? object_text(name.index) : object_text(name.index, sub);
     entry.title = fmt::format("{} {} = 0x{:0{}X}", where, object->name, value, width / 4);
     entry.add("holds", catalogue::find_object(name.index, sub)->text);
     if (const Decoder* decoder = find_decoder(name.index, sub)) {

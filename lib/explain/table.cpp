@@ -170,7 +170,7 @@ std::string render_json(const Table& table) {
         json.end_object();
     }
     json.end_array().end_object();
-    return json.take() + "\n";
+    return json.take();
 }
 
 // RFC 4180: quoted where needed, lines end with CR LF.

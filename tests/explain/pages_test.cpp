@@ -72,7 +72,8 @@ TEST(ExplainPages, every_inference_is_an_assumption_and_the_reverse) {
     }
     std::set<std::string> listed;
     const std::string link = "| [D";
-    for (std::size_t at = assumptions.find(link); at != std::string::npos; at = assumptions.find(link, at + 1)) {
+    for (std::size_t at = assumptions.find(link); at != std::string::npos;
+         at = assumptions.find(link, at + 1)) {
         const std::size_t start = at + link.size();
         listed.insert("d" + assumptions.substr(start, assumptions.find(']', start) - start));
     }
