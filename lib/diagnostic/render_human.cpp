@@ -35,25 +35,63 @@ std::string plural(std::size_t count, std::string_view noun) {
     return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
 }
 
-// A help of several lines is an example to copy; its lines are indented.
+constexpr std::size_t line_width = 80;
+
+std::size_t width_of(std::string_view text) {
+    return static_cast<std::size_t>(std::count_if(
+        text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
+}
+
+// The words with line ends in between, as they fit behind a lead of that width; the lines that follow begin
+// with `indent`. `last` is one word, blanks or not.
+std::string wrapped(std::size_t lead_width, std::string_view text, std::string_view indent,
+                    std::string_view last = {}) {
+    std::string result;
+    std::size_t column = lead_width;
+    const auto add = [&](std::string_view word) {
+        const std::size_t width = width_of(word);
+        const bool fits = result.empty() || column + 1 + width <= line_width;
+        result += result.empty() ? "" : fits ? " " : fmt::format("\n{}", indent);
+        column = (fits ? column + (result.empty() ? 0 : 1) : width_of(indent)) + width;
+        result += word;
+    };
+    while (!text.empty()) {
+        const std::size_t end = std::min(text.find(' '), text.size());
+        add(text.substr(0, end));
+        text.remove_prefix(std::min(end + 1, text.size()));
+    }
+    if (!last.empty()) {
+        add(last);
+    }
+    return result;
+}
+
+// A help of several lines is an example to copy; its lines stay as they are, but for the first.
 void append_help(std::string& text, std::string_view help) {
+    constexpr std::string_view indent = "        ";
     std::string_view lead = "  help: ";
     while (!help.empty()) {
         const std::size_t end = std::min(help.find('\n'), help.size());
-        text += fmt::format("{}{}\n", lead, base::printable(help.substr(0, end)));
+        const std::string line = base::printable(help.substr(0, end));
+        text += fmt::format("{}{}\n", lead, lead == indent ? line : wrapped(width_of(lead), line, indent));
         help.remove_prefix(std::min(end + 1, help.size()));
-        lead = "        ";
+        lead = indent;
     }
 }
 
 void append_finding(std::string& text, const Diagnostic& finding, SourceLines& lines, bool color) {
     const Colors c = colors_for(finding.level(), color);
-    text += fmt::format("{}{}:{} {}{}:{} {} [{} {}]\n", c.bold, to_text(finding.where), c.end, c.level,
-                        to_text(finding.level()), c.end, base::printable(finding.message), finding.rule->code,
-                        finding.rule->name);
+    const std::string place = to_text(finding.where);
+    const std::string_view level = to_text(finding.level());
+    const std::size_t lead_width = width_of(place) + level.size() + 4;
+    text += fmt::format("{}{}:{} {}{}:{} {}\n", c.bold, place, c.end, c.level, level, c.end,
+                        wrapped(lead_width, base::printable(finding.message), "    ",
+                                fmt::format("[{} {}]", finding.rule->code, finding.rule->name)));
     text += lines.excerpt(finding.where, '^', c.level, c.end);
     for (const Related& related : finding.related) {
-        text += fmt::format("  see {}: {}\n", to_text(related.where), base::printable(related.message));
+        const std::string lead = fmt::format("  see {}: ", to_text(related.where));
+        text +=
+            fmt::format("{}{}\n", lead, wrapped(width_of(lead), base::printable(related.message), "      "));
         text += lines.excerpt(related.where, '-', c.bold, c.end);
     }
     append_help(text, finding.help);
@@ -76,6 +114,14 @@ std::string summary(const FileReport& file) {
     return text + (file.findings.empty() ? ", no findings\n" : "\n");
 }
 
+void append_not_verified(std::string& text, const FileReport& file) {
+    std::string_view lead = "  not verified:\n";
+    for (const std::string& line : file.not_verified) {
+        text += fmt::format("{}  - {}\n", lead, base::printable(line));
+        lead = "";
+    }
+}
+
 }  // namespace
 
 std::string render_human(const RenderInput& input) {
@@ -86,6 +132,7 @@ std::string render_human(const RenderInput& input) {
             append_finding(text, finding, lines, input.color);
         }
         text += summary(file);
+        append_not_verified(text, file);
     }
     return text;
 }

@@ -76,6 +76,31 @@ CGW_RULE(tpdo_parameter_unknown);
 CGW_RULE(tpdo_parameter_bit);
 CGW_RULE(communication_off);
 
+// E03: warnings, what works but hardly as it was meant
+CGW_RULE(monitoring_early);
+CGW_RULE(monitoring_short);
+CGW_RULE(rpdo_unmonitored);
+CGW_RULE(rpdo_inactive_monitored);
+CGW_RULE(decimal_for_hexadecimal);
+CGW_RULE(cob_id_restricted);
+CGW_RULE(tpdo_empty);
+CGW_RULE(tpdo_unsent);
+CGW_RULE(switch_without_bit);
+CGW_RULE(sensor_without_channel);
+CGW_RULE(switch_bit_shared);
+CGW_RULE(sensor_channel_shared);
+CGW_RULE(start_up_delay_mismatch);
+CGW_RULE(partner_unmonitored);
+CGW_RULE(heartbeat_off);
+
+// E04: notes, what the devices make of a setting
+CGW_RULE(manual_misprint);
+CGW_RULE(time_quantised);
+CGW_RULE(tpdo_words_moved);
+CGW_RULE(cob_id_unlisted_owner);
+CGW_RULE(cob_id_default_rpdo);
+CGW_RULE(hzm_bit_rate_unverified);
+
 #undef CGW_RULE
 
 }  // namespace rules
