@@ -50,6 +50,12 @@ std::string both(std::string_view first, std::string_view last) {
     return merged_text(first, last).value_or(std::string(first));
 }
 
+// The range in the width of a column: without the values between, where only some are taken.
+std::string limits_text(Row row) {
+    row.choices = {};
+    return range_text(row);
+}
+
 std::string number_or_nothing(std::optional<double> value) {
     return value ? base::to_text(*value) : "";
 }
@@ -63,6 +69,7 @@ std::vector<std::string> cells(const Run& run) {
         std::string(to_text(first.program)),
         both(fmt::format("{}", first.number), fmt::format("{}", last.number)),
         both(first.name, last.name),
+        limits_text(first),
         range_text(first),
         std::string(to_text(first.list)),
         first.level == 0 ? "" : fmt::format("{}", first.level),
@@ -86,7 +93,8 @@ Table parameter_list(const Catalogue& catalogue, std::optional<Device> device, b
         {"program", "", in_data},
         {"number", "number", everywhere, true},
         {"name", "name"},
-        {"range", "range", in_text | in_page},
+        {"", "range", in_text},
+        {"range", "range", in_page},
         {"list", "list"},
         {"level", "level", everywhere, true},
         {"minimum", "", in_data, true},
