@@ -8,6 +8,8 @@ namespace cgw::cli {
 extern const Verb check_verb;
 extern const Verb build_verb;
 extern const Verb emit_verb;
+extern const Verb list_verb;
+extern const Verb explain_verb;
 extern const Verb image_verify_verb;
 extern const Verb image_inspect_verb;
 

@@ -8,6 +8,7 @@
 
 #include "base/numbers.hpp"
 #include "catalogue/kinds.hpp"
+#include "catalogue/named.hpp"
 #include "catalogue/values.hpp"
 
 namespace cgw::catalogue {
@@ -149,6 +150,20 @@ void read_kind(const Node& value, Draft& draft, const Reporter& report) {
 
 void read_text(const Node& value, Draft& draft, const Reporter& report) {
     draft.row.text = read_line(value, report);
+}
+
+void read_used(const Node& value, Draft& draft, const Reporter& report) {
+    draft.row.used = read_line(value, report);
+}
+
+void read_bits(const Node& value, Draft& draft, const Reporter& report) {
+    draft.bits = named_bits(value, draft.texts, report);
+    draft.row.bits = draft.bits;
+}
+
+void read_values(const Node& value, Draft& draft, const Reporter& report) {
+    draft.values = named_values(value, report);
+    draft.row.values = draft.values;
 }
 
 void read_section(const Node& value, Draft& draft, const Reporter& report) {

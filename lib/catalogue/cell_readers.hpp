@@ -14,6 +14,9 @@ void read_aliases(const toml::Node& value, Draft& draft, const Reporter& report)
 void read_misprints(const toml::Node& value, Draft& draft, const Reporter& report);
 void read_kind(const toml::Node& value, Draft& draft, const Reporter& report);
 void read_text(const toml::Node& value, Draft& draft, const Reporter& report);
+void read_used(const toml::Node& value, Draft& draft, const Reporter& report);
+void read_bits(const toml::Node& value, Draft& draft, const Reporter& report);
+void read_values(const toml::Node& value, Draft& draft, const Reporter& report);
 void read_section(const toml::Node& value, Draft& draft, const Reporter& report);
 void read_unit(const toml::Node& value, Draft& draft, const Reporter& report);
 void read_level(const toml::Node& value, Draft& draft, const Reporter& report);

@@ -139,6 +139,22 @@ std::string show_base(const Row& row) {
     return row.base == parameter::Base::hexadecimal ? "\"hexadecimal\"" : "\"decimal\"";
 }
 
+std::string show_bits(const Row& row) {
+    std::string shown;
+    for (const parameter::NamedBit& bit : row.bits) {
+        shown += fmt::format("{}{} {}", shown.empty() ? "" : ", ", bit.bit, bit.name);
+    }
+    return shown;
+}
+
+std::string show_values(const Row& row) {
+    std::string shown;
+    for (const parameter::NamedValue& value : row.values) {
+        shown += fmt::format("{}{}: {}", shown.empty() ? "" : ", ", value.value, value.text);
+    }
+    return shown;
+}
+
 using enum toml::Kind;
 
 // Texts are no facts: a later one replaces an earlier one.
@@ -167,7 +183,10 @@ constexpr Cell cells[] = {
      copy<&Row::is_signed>},
     {"internal", array, true, true, read_internal, blank_internal, show_internal, copy_internal},
     {"external", array, true, true, read_external, blank_external, show_external, copy_external},
+    {"bits", array, false, false, read_bits, is_empty<&Row::bits>, show_bits, copy<&Row::bits>},
+    {"values", array, false, false, read_values, is_empty<&Row::values>, show_values, copy<&Row::values>},
     {"text", string, false, false, read_text, always_blank, show_text<&Row::text>, copy<&Row::text>},
+    {"used", string, false, false, read_used, always_blank, show_text<&Row::used>, copy<&Row::used>},
     {"section", string, false, false, read_section, always_blank, show_text<&Row::section>,
      copy<&Row::section>},
 };

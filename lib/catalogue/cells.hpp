@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <deque>
 #include <span>
 #include <string>
 #include <string_view>
@@ -45,6 +46,9 @@ struct Draft {
     std::vector<std::string_view> aliases;
     std::vector<std::string_view> misprints;
     std::vector<std::uint32_t> choices;
+    std::vector<parameter::NamedBit> bits;
+    std::vector<parameter::NamedValue> values;
+    std::deque<std::string> texts;          // of the bits
     std::vector<std::string_view> refused;  // cells
     std::uint16_t count = 0;                // array elements; 0: no array
     std::uint16_t last = 0;                 // of a range of rows; 0: one row

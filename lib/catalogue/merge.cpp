@@ -1,7 +1,6 @@
 #include "catalogue/merge.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <deque>
 #include <iterator>
 #include <optional>
@@ -10,6 +9,7 @@
 
 #include "catalogue/kinds.hpp"
 #include "catalogue/row_checks.hpp"
+#include "catalogue/templates.hpp"
 #include "catalogue/values.hpp"
 
 namespace cgw::catalogue {
@@ -20,36 +20,12 @@ using parameter::Catalogue;
 using parameter::Row;
 namespace rules = diagnostic::rules;
 
-// "{5}" becomes 5 + offset, so that the text of an array's element names the element.
-std::string expand_text(std::string_view text, std::uint32_t offset) {
-    std::string result;
-    while (!text.empty()) {
-        const std::size_t open = text.find('{');
-        result += text.substr(0, open);
-        if (open == std::string_view::npos) {
-            break;
-        }
-        text.remove_prefix(open);
-        const std::size_t close = text.find('}');
-        std::uint32_t number = 0;
-        const auto [end, error] =
-            std::from_chars(text.data() + 1, text.data() + std::min(close, text.size()), number);
-        if (close == std::string_view::npos || error != std::errc{} || end != text.data() + close) {
-            result += text.front();
-            text.remove_prefix(1);
-        } else {
-            result += fmt::format("{}", number + offset);
-            text.remove_prefix(close + 1);
-        }
-    }
-    return result;
-}
-
 // One row of a draft, with the texts it owns.
 struct Expanded {
     Row row;
     std::string name;
     std::string text;
+    std::string used;
     std::deque<std::string> alias_texts;
     std::vector<std::string_view> aliases;
 };
@@ -62,6 +38,8 @@ void expand(const Draft& draft, std::uint16_t offset, Expanded& one) {
     }
     one.text = expand_text(draft.row.text, offset);
     one.row.text = one.text;
+    one.used = expand_text(draft.row.used, offset);
+    one.row.used = one.used;
     if (draft.count == 0) {
         return;
     }
@@ -111,7 +89,7 @@ Row fill(const Row& known, const Row& said, const Draft& draft, const Reporter& 
 
 bool name_is_free(const Row& row, std::string_view name, const Draft& draft, std::string_view cell,
                   const Catalogue& catalogue, const Reporter& report) {
-    const Row* other = name.empty() ? nullptr : catalogue.find(row.device, name);
+    const Row* other = name.empty() ? nullptr : catalogue.find(row.device, row.program, name);
     if (other == nullptr || other->number == row.number) {
         return true;
     }
@@ -156,9 +134,10 @@ void put_partner(const Row& row, const Draft& draft, Catalogue& catalogue) {
     constexpr std::uint16_t distance = 4000;
     Row partner;
     partner.device = row.device;
+    partner.program = row.program;
     partner.number =
         static_cast<std::uint16_t>(row.number < distance ? row.number + distance : row.number - distance);
-    if (catalogue.find(partner.device, partner.number) == nullptr && partner.number != 0) {
+    if (catalogue.find(partner.device, partner.program, partner.number) == nullptr && partner.number != 0) {
         stand_in(partner, draft);
         catalogue.put(partner);
     }
@@ -177,7 +156,7 @@ const Row* merge(const Draft& draft, bool declaration, Catalogue& catalogue, con
     for (int offset = 0; offset < rows; ++offset) {
         Expanded one;
         expand(draft, static_cast<std::uint16_t>(offset), one);
-        const Row* known = catalogue.find(one.row.device, one.row.number);
+        const Row* known = catalogue.find(one.row.device, one.row.program, one.row.number);
         Row row = known != nullptr ? fill(*known, one.row, draft, report) : one.row;
         check_row(row, known, draft, declaration, report);
         if (!names_are_free(row, draft, catalogue, report)) {

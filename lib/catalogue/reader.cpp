@@ -16,6 +16,7 @@ namespace {
 
 using parameter::Catalogue;
 using parameter::Device;
+using parameter::Program;
 using toml::Node;
 namespace rules = diagnostic::rules;
 
@@ -101,17 +102,19 @@ bool check_declared_kind(const Draft& draft, const Reporter& report) {
 }
 
 // Reads one row and merges it; nullptr when its number is not usable or there was a finding.
-const parameter::Row* read_row(const Node& table, Device device, bool declaration, Catalogue& catalogue,
-                               const Reporter& report) {
+const parameter::Row* read_row(const Node& table, Device device, Program program, bool declaration,
+                               Catalogue& catalogue, const Reporter& report) {
     const std::size_t findings_before = report.findings().all().size();
     Draft draft(table);
     draft.row.device = device;
+    draft.row.program = program;
     read_cells(draft, declaration, report);
     if (!draft.says("number") && !draft.refuses("number")) {
         report(rules::key_missing, table.range, "`number` is missing");
     }
     const bool may_declare = !declaration || check_declared_kind(draft, report);
-    if (draft.row.number == 0 || (!may_declare && catalogue.find(device, draft.row.number) != nullptr)) {
+    if (draft.row.number == 0 ||
+        (!may_declare && catalogue.find(device, program, draft.row.number) != nullptr)) {
         return nullptr;
     }
     const parameter::Row* row = merge(draft, declaration, catalogue, report);
@@ -152,6 +155,24 @@ void check_profile(const Node& root, Device device, const Reporter& report) {
                            parameter::to_text(device)),
                fmt::format("the profile is \"{}\"", profile_of(device)));
     }
+}
+
+// Most files are about the application and do not say so.
+Program read_program(const Node& root, const Reporter& report) {
+    const toml::Entry* entry = root.find("program");
+    if (entry == nullptr) {
+        return Program::application;
+    }
+    if (entry->value.kind != toml::Kind::string) {
+        report_type(*entry, toml::Kind::string, report);
+    } else if (entry->value.text == parameter::to_text(Program::bootloader)) {
+        return Program::bootloader;
+    } else if (entry->value.text != parameter::to_text(Program::application)) {
+        report(rules::key_value, entry->value.range,
+               fmt::format(R"(program {} is neither "application" nor "bootloader")",
+                           toml::quoted(entry->value.text)));
+    }
+    return Program::application;
 }
 
 // A number stands once in a file, arrays and ranges included.
@@ -197,14 +218,15 @@ class NumbersSeen {
     std::map<std::int64_t, diagnostic::Range> seen_;
 };
 
-void read_rows(const toml::Entry& rows, Device device, Catalogue& catalogue, const Reporter& report) {
+void read_rows(const toml::Entry& rows, Device device, Program program, Catalogue& catalogue,
+               const Reporter& report) {
     NumbersSeen seen(report);
     for (const Node& table : rows.value.elements) {
         if (table.kind != toml::Kind::table) {
             report(rules::key_type, table.range,
                    fmt::format("a row is a table, not {}", toml::to_text(table.kind)));
         } else if (seen.add(table)) {
-            read_row(table, device, false, catalogue, report);
+            read_row(table, device, program, false, catalogue, report);
         }
     }
     for (const Node& table : rows.value.elements) {  // any row may be the reference of an earlier one
@@ -222,7 +244,7 @@ bool read_catalogue(std::string_view text, const std::string& path, Catalogue& c
     if (!root) {
         return false;
     }
-    constexpr std::string_view known[] = {"device", "profile", "row"};
+    constexpr std::string_view known[] = {"device", "profile", "program", "row"};
     for (const toml::Entry& entry : root->entries) {
         if (std::find(std::begin(known), std::end(known), entry.key) == std::end(known)) {
             report_unknown(entry, known, report);
@@ -232,11 +254,12 @@ bool read_catalogue(std::string_view text, const std::string& path, Catalogue& c
     if (device) {
         check_profile(*root, *device, report);
     }
+    const Program program = read_program(*root, report);
     const toml::Entry* rows = root->find("row");
     if (rows != nullptr && rows->value.kind != toml::Kind::array) {
         report_type(*rows, toml::Kind::array, report);
     } else if (rows != nullptr && device) {
-        read_rows(*rows, *device, catalogue, report);
+        read_rows(*rows, *device, program, catalogue, report);
     }
     return findings.all().size() == findings_before;
 }
@@ -245,7 +268,8 @@ const parameter::Row* read_declaration(const Node& table, const std::string& pat
                                        diagnostic::Findings& findings) {
     const Reporter report(path, findings);
     const std::size_t findings_before = findings.all().size();
-    const parameter::Row* row = read_row(table, Device::governor, true, catalogue, report);
+    const parameter::Row* row =
+        read_row(table, Device::governor, Program::application, true, catalogue, report);
     check_references(table, Device::governor, catalogue, report);
     return findings.all().size() == findings_before ? row : nullptr;
 }

@@ -6,23 +6,13 @@
 #include <fmt/format.h>
 
 #include "base/numbers.hpp"
+#include "catalogue/source_text.hpp"
 
 namespace cgw::catalogue {
 
 namespace {
 
 using parameter::Row;
-
-std::string string_literal(std::string_view text) {
-    std::string literal = "\"";
-    for (const char c : text) {
-        if (c == '"' || c == '\\') {
-            literal += '\\';
-        }
-        literal += c;  // texts have no control characters
-    }
-    return literal + "\"";
-}
 
 std::string real_literal(double value) {
     const std::string text = base::to_text(value);
@@ -51,24 +41,25 @@ std::string_view enumerator(parameter::Role role) {
 }
 
 std::string list_name(const Row& row, std::string_view list) {
-    return fmt::format("{}_{}_{}", to_text(row.device), row.number, list);
+    return fmt::format("{}_{}_{}_{}", to_text(row.device), to_text(row.program), row.number, list);
 }
 
-void append_texts(std::string& source, const Row& row, std::string_view list,
-                  std::span<const std::string_view> texts) {
-    if (texts.empty()) {
+void append_values(std::string& source, const Row& row) {
+    if (row.values.empty()) {
         return;
     }
-    source += fmt::format("constexpr std::string_view {}[] = {{", list_name(row, list));
-    for (const std::string_view text : texts) {
-        source += string_literal(text) + ", ";
+    source += fmt::format("constexpr NamedValue {}[] = {{\n", list_name(row, "values"));
+    for (const parameter::NamedValue& value : row.values) {
+        source += fmt::format("    {{{}, {}}},\n", value.value, string_literal(value.text));
     }
     source += "};\n";
 }
 
 void append_lists(std::string& source, const Row& row) {
-    append_texts(source, row, "aliases", row.aliases);
-    append_texts(source, row, "misprints", row.misprints);
+    source += text_list_source(list_name(row, "aliases"), row.aliases);
+    source += text_list_source(list_name(row, "misprints"), row.misprints);
+    source += bit_list_source(list_name(row, "bits"), row.bits);
+    append_values(source, row);
     if (!row.choices.empty()) {
         source += fmt::format("constexpr std::uint32_t {}[] = {{{}}};\n", list_name(row, "choices"),
                               fmt::join(row.choices, ", "));
@@ -88,8 +79,8 @@ std::string scaling_literal(const Row& row) {
 
 void append_row(std::string& source, const Row& row) {
     const auto list = [&](bool empty, std::string_view name) { return empty ? "{}" : list_name(row, name); };
-    source += fmt::format("    {{.device = {}, .number = {}, .name = {},\n", enumerator(row.device),
-                          row.number, string_literal(row.name));
+    source += fmt::format("    {{.device = {}, .program = Program::{}, .number = {}, .name = {},\n",
+                          enumerator(row.device), to_text(row.program), row.number, string_literal(row.name));
     source += fmt::format("     .aliases = {}, .misprints = {},\n", list(row.aliases.empty(), "aliases"),
                           list(row.misprints.empty(), "misprints"));
     source += fmt::format("     .list = {}, .role = {}, .level = {}, .minimum = {}, .maximum = {},\n",
@@ -103,8 +94,10 @@ void append_row(std::string& source, const Row& row) {
                           row.array_size, row.list_end);
     source += fmt::format("     .width = {}, .is_signed = {}, .scaling = {},\n", row.width, row.is_signed,
                           scaling_literal(row));
-    source += fmt::format("     .text = {}, .section = {}}},\n", string_literal(row.text),
-                          string_literal(row.section));
+    source += fmt::format("     .bits = {}, .values = {},\n", list(row.bits.empty(), "bits"),
+                          list(row.values.empty(), "values"));
+    source += fmt::format("     .text = {}, .used = {}, .section = {}}},\n", string_literal(row.text),
+                          string_literal(row.used), string_literal(row.section));
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 #include <optional>
+#include <tuple>
 
 namespace cgw::parameter {
 
@@ -90,26 +91,32 @@ std::string_view array_name(const Row& row) {
 }
 
 Catalogue::Catalogue(std::span<const Row> shipped) {
-    for (std::vector<const Row*>& rows : by_number_) {
-        rows.reserve(shipped.size());
-    }
-    for (NameIndex& names : by_name_) {
-        names.reserve(shipped.size());
+    for (const Device device : {Device::governor, Device::gateway}) {
+        by_number_[index_of(device, Program::application)].reserve(shipped.size());
+        by_name_[index_of(device, Program::application)].reserve(shipped.size());
     }
     for (const Row& row : shipped) {
-        by_number_[index_of(row.device)].push_back(&row);
+        by_number_[index_of(row.device, row.program)].push_back(&row);
         index_names(row);
     }
 }
 
 const Row* Catalogue::find(Device device, std::uint16_t number) const {
-    const std::vector<const Row*>& rows = by_number_[index_of(device)];
-    const auto place = std::lower_bound(rows.begin(), rows.end(), number, below);
-    return place != rows.end() && (*place)->number == number ? *place : nullptr;
+    return find(device, Program::application, number);
+}
+
+const Row* Catalogue::find(Device device, Program program, std::uint16_t number) const {
+    const std::vector<const Row*>& known = rows(device, program);
+    const auto place = std::lower_bound(known.begin(), known.end(), number, below);
+    return place != known.end() && (*place)->number == number ? *place : nullptr;
 }
 
 const Row* Catalogue::find(Device device, std::string_view name) const {
-    const NameIndex& names = by_name_[index_of(device)];
+    return find(device, Program::application, name);
+}
+
+const Row* Catalogue::find(Device device, Program program, std::string_view name) const {
+    const NameIndex& names = by_name_[index_of(device, program)];
     const auto place = names.find(name);
     return place != names.end() ? place->second : nullptr;
 }
@@ -136,10 +143,13 @@ const Row* Catalogue::put(const Row& row) {
     kept.misprints = keep(row.misprints);
     kept.unit = keep(row.unit);
     kept.text = keep(row.text);
+    kept.used = keep(row.used);
     kept.section = keep(row.section);
+    kept.bits = keep(row.bits);
+    kept.values = keep(row.values);
     kept.choices = number_lists_.emplace_back(row.choices.begin(), row.choices.end());
 
-    std::vector<const Row*>& rows = by_number_[index_of(row.device)];
+    std::vector<const Row*>& rows = by_number_[index_of(row.device, row.program)];
     const auto place = std::lower_bound(rows.begin(), rows.end(), row.number, below);
     if (place != rows.end() && (*place)->number == row.number) {
         forget_names(**place);
@@ -154,12 +164,12 @@ const Row* Catalogue::put(const Row& row) {
 std::vector<const Row*> Catalogue::added() const {
     std::vector<const Row*> result;
     for (const Row& row : added_) {
-        if (find(row.device, row.number) == &row) {  // not replaced since
+        if (find(row.device, row.program, row.number) == &row) {  // not replaced since
             result.push_back(&row);
         }
     }
     std::sort(result.begin(), result.end(), [](const Row* a, const Row* b) {
-        return a->device != b->device ? a->device < b->device : a->number < b->number;
+        return std::tie(a->device, a->program, a->number) < std::tie(b->device, b->program, b->number);
     });
     return result;
 }
@@ -190,6 +200,22 @@ std::span<const std::string_view> Catalogue::keep(std::span<const std::string_vi
     return list;
 }
 
+std::span<const NamedBit> Catalogue::keep(std::span<const NamedBit> bits) {
+    std::vector<NamedBit>& list = bit_lists_.emplace_back();
+    for (const NamedBit& bit : bits) {
+        list.push_back({bit.bit, keep(bit.name), keep(bit.text)});
+    }
+    return list;
+}
+
+std::span<const NamedValue> Catalogue::keep(std::span<const NamedValue> values) {
+    std::vector<NamedValue>& list = value_lists_.emplace_back();
+    for (const NamedValue& value : values) {
+        list.push_back({value.value, keep(value.text)});
+    }
+    return list;
+}
+
 template <typename Visit>
 void Catalogue::each_name(const Row& row, Visit visit) {
     if (!row.name.empty()) {
@@ -204,12 +230,12 @@ void Catalogue::each_name(const Row& row, Visit visit) {
 }
 
 void Catalogue::index_names(const Row& row) {
-    NameIndex& names = by_name_[index_of(row.device)];
+    NameIndex& names = by_name_[index_of(row.device, row.program)];
     each_name(row, [&](std::string_view name) { names.try_emplace(name, &row); });
 }
 
 void Catalogue::forget_names(const Row& row) {
-    NameIndex& names = by_name_[index_of(row.device)];
+    NameIndex& names = by_name_[index_of(row.device, row.program)];
     each_name(row, [&](std::string_view name) {
         const auto place = names.find(name);
         if (place != names.end() && place->second == &row) {

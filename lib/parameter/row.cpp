@@ -8,6 +8,10 @@ std::string_view to_text(Device device) {
     return device == Device::governor ? "governor" : "gateway";
 }
 
+std::string_view to_text(Program program) {
+    return program == Program::application ? "application" : "bootloader";
+}
+
 std::string label(const Row& row) {
     return row.name.empty() ? fmt::format("{}", row.number) : fmt::format("{} {}", row.number, row.name);
 }

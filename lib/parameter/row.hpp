@@ -14,6 +14,12 @@ enum class Device : std::uint8_t { governor, gateway };
 
 std::string_view to_text(Device device);  // "governor", "gateway": also the file's table names
 
+// A device runs its bootloader first and its application after that; one number may mean different things in
+// the two (D1): 3076 is ErrEEPROM in the gateway's bootloader and ErrParamStore in its application.
+enum class Program : std::uint8_t { application, bootloader };
+
+std::string_view to_text(Program program);  // "application", "bootloader"
+
 // The manual's chapter 11 lists, in its order.
 enum class List : std::uint8_t { parameter, measurement, function, curve };
 
@@ -21,6 +27,19 @@ enum class List : std::uint8_t { parameter, measurement, function, curve };
 enum class Role : std::uint8_t { none, switch_assignment, switch_type, sensor_assignment, sensor_type };
 
 enum class Base : std::uint8_t { decimal, hexadecimal };
+
+// One bit of a value. Bit 0 is the least significant one.
+struct NamedBit {
+    std::uint8_t bit = 0;
+    std::string_view name{};  // fit for a signal name: "Node1"
+    std::string_view text{};  // what it means when it is set
+};
+
+// One value that the manual gives a meaning of its own: 3800 = 9.
+struct NamedValue {
+    std::uint32_t value = 0;
+    std::string_view text{};
+};
 
 // The linear relation between the word on the wire and engineering units. The external limits are
 // constants or, where the governor makes them settable, other parameters (978..995).
@@ -35,6 +54,7 @@ struct Scaling {
 
 struct Row {
     Device device = Device::governor;
+    Program program = Program::application;
     std::uint16_t number = 0;
     std::string_view name{};                        // canonical; "" where the manuals name none (D13)
     std::span<const std::string_view> aliases{};    // accepted without noise (D3)
@@ -54,8 +74,11 @@ struct Row {
     std::uint8_t width = 0;      // bits of a measurement: 1, 8, 16; 0: not known
     bool is_signed = false;
     std::optional<Scaling> scaling{};
-    std::string_view text{};     // one line, our own words
-    std::string_view section{};  // "GWM 7.2.4"
+    std::span<const NamedBit> bits{};      // ascending; a bit without a row has no known meaning
+    std::span<const NamedValue> values{};  // ascending
+    std::string_view text{};               // one line, our own words
+    std::string_view used{};               // the object or PDO word it feeds: "1804h:1, the COB-ID of TPDO5"
+    std::string_view section{};            // "GWM 7.2.4"
 
     bool settable() const { return list != List::measurement; }
     bool is_bit() const { return width == 1; }

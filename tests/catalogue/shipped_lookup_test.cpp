@@ -4,6 +4,7 @@
 #include <cctype>
 #include <set>
 #include <string>
+#include <tuple>
 
 #include "catalogue/catalogue.hpp"
 #include "parameter/catalogue.hpp"
@@ -38,13 +39,12 @@ class ShippedLookup : public testing::Test {
     Catalogue catalogue{cgw::catalogue::shipped_rows()};
 };
 
-TEST_F(ShippedLookup, rows_are_sorted_by_device_and_number_without_repetition) {
+TEST_F(ShippedLookup, rows_are_sorted_by_device_program_and_number_without_repetition) {
     const auto rows = cgw::catalogue::shipped_rows();
     ASSERT_GT(rows.size(), 300U);
     for (std::size_t i = 1; i < rows.size(); ++i) {
-        const bool ascending = rows[i - 1].device < rows[i].device ||
-                               (rows[i - 1].device == rows[i].device && rows[i - 1].number < rows[i].number);
-        EXPECT_TRUE(ascending) << rows[i].number;
+        const auto place = [](const Row& row) { return std::tuple(row.device, row.program, row.number); };
+        EXPECT_LT(place(rows[i - 1]), place(rows[i])) << rows[i].number;
     }
 }
 
@@ -82,10 +82,11 @@ TEST_F(ShippedLookup, no_name_or_alias_is_used_twice_in_a_device) {
 
 TEST_F(ShippedLookup, every_row_is_found_by_its_number_name_and_aliases) {
     for (const Row& row : cgw::catalogue::shipped_rows()) {
-        EXPECT_EQ(catalogue.find(row.device, row.number), &row);
-        EXPECT_TRUE(row.name.empty() || catalogue.find(row.device, row.name) == &row) << row.name;
+        EXPECT_EQ(catalogue.find(row.device, row.program, row.number), &row);
+        EXPECT_TRUE(row.name.empty() || catalogue.find(row.device, row.program, row.name) == &row)
+            << row.name;
         for (const std::string_view alias : row.aliases) {
-            EXPECT_EQ(catalogue.find(row.device, alias), &row) << alias;
+            EXPECT_EQ(catalogue.find(row.device, row.program, alias), &row) << alias;
         }
     }
 }

@@ -1,4 +1,6 @@
 """The command line from outside: exit code and both streams of every verb."""
+import csv
+import io
 import json
 import os
 import pathlib
@@ -287,6 +289,100 @@ class CheckOutput(Verb):
             result = cgw("check", GENSET, stdout=full)
         self.assertEqual(result.returncode, 3)
         self.assertIn(b"No space left", result.stderr)
+
+
+class List(Verb):
+    def rows(self, *arguments):
+        result = cgw("list", *arguments, "--format", "json")
+        self.assertEqual((result.returncode, result.stderr), (0, b""))
+        document = json.loads(result.stdout)
+        self.assertEqual(list(document), ["format_version", arguments[0]])
+        self.assertEqual(document["format_version"], 1)
+        return document[arguments[0]]
+
+    def test_every_list_has_every_format(self):
+        for what in ("parameters", "checks", "emitters", "codes"):
+            rows = self.rows(what)
+            self.assertGreater(len(rows), 3, what)
+            for format in ("table", "csv", "md"):
+                result = cgw("list", what, "--format", format)
+                self.assertEqual((result.returncode, result.stderr), (0, b""), (what, format))
+                self.assertTrue(result.stdout.endswith(b"\n"))
+            read = list(csv.DictReader(io.StringIO(cgw("list", what, "--format", "csv").stdout.decode(), newline="")))
+            self.assertEqual([{k: "" if v is None else str(v) for k, v in row.items()} for row in rows], read)
+
+    def test_the_table_is_the_default_and_fits_80_columns(self):
+        for what in ("parameters", "checks", "emitters", "codes"):
+            text = cgw("list", what).stdout.decode()
+            self.assertEqual(text, cgw("list", what, "--format", "table").stdout.decode())
+            self.assertLessEqual(max(map(len, text.splitlines())), 80, what)
+
+    def test_a_device_limits_parameters_and_codes(self):
+        self.assertEqual({r["device"] for r in self.rows("parameters")}, {"governor", "gateway"})
+        self.assertEqual({r["device"] for r in self.rows("parameters", "--device", "gateway")}, {"gateway"})
+        self.assertEqual({r["device"] for r in self.rows("codes", "--device", "governor")}, {"governor"})
+
+    def test_values_are_numbers_or_null(self):
+        row = next(r for r in self.rows("parameters") if r["name"] == "CanOpTPDO5-16ID(3)")
+        self.assertEqual((row["number"], row["minimum"], row["maximum"], row["base"]), (16407, 0, 2047, "hexadecimal"))
+        self.assertIsNone(next(r for r in self.rows("parameters") if r["name"] == "Speed")["level"])
+
+    def test_emitters_are_those_of_emit(self):
+        names = {r["name"] for r in self.rows("emitters")}
+        self.assertTrue({"eds", "pdo-table", "image"} <= names)
+        files = {r["file"] for r in self.rows("emitters")} - {""}
+        self.assertTrue(set(ARTEFACTS) <= files)
+
+    def test_what_makes_no_sense_is_refused(self):
+        for arguments, text in ((["list"], "WHAT"), (["list", "parameter"], "did you mean 'parameters'?"),
+                                (["list", "checks", "--device", "gateway"], "checks do not belong to a device"),
+                                (["list", "codes", "--format", "xml"], "table, json, csv, md"),
+                                (["list", "codes", "--device", "engine"], "governor, gateway")):
+            result = cgw(*arguments)
+            self.assertEqual((result.returncode, result.stdout), (2, b""), arguments)
+            self.assertIn(text, result.stderr.decode())
+
+
+class Explain(Verb):
+    def test_answers_go_to_stdout(self):
+        for question, text in (("416", "gateway 416 HzmCanBaudrate"), ("canopenmynodeid", "gateway 427"),
+                               ("12412", "action"), ("2005h=0x0102", "bit 8   12419 CanOpGWResetErr"),
+                               ("3800=9", "check sum"), ("2003h:1", "Switch1..16"), ("0x06010002", "read-only"),
+                               ("E0203", "428 = 5"), ("sensor-error", "3005 ErrSetpointExtern")):
+            result = cgw("explain", question)
+            self.assertEqual((result.returncode, result.stderr), (0, b""), question)
+            self.assertIn(text, result.stdout.decode(), question)
+            self.assertLessEqual(max(map(len, result.stdout.decode().splitlines())), 80, question)
+
+    def test_several_questions_at_a_time(self):
+        result = cgw("explain", "427", "E0203")
+        self.assertEqual(result.returncode, 0)
+        self.assertEqual(result.stdout, cgw("explain", "427").stdout + b"\n" + cgw("explain", "E0203").stdout)
+
+    def test_json_has_the_documented_keys(self):
+        result = cgw("explain", "12412", "--format", "json")
+        self.assertEqual((result.returncode, result.stderr), (0, b""))
+        document = json.loads(result.stdout)
+        self.assertEqual(list(document), ["format_version", "answers"])
+        answer = document["answers"][0]
+        self.assertEqual(answer["question"], "12412")
+        self.assertEqual([e["kind"] for e in answer["entries"]], ["error", "parameter", "parameter"])
+        self.assertIn("action", answer["entries"][0]["fields"])
+
+    def test_what_is_not_understood_is_refused_with_a_proposal_and_no_answer(self):
+        result = cgw("explain", "427", "CanOpenMyNodID")
+        self.assertEqual((result.returncode, result.stdout), (2, b""))
+        self.assertEqual(result.stderr.decode(), "cgw: nothing is known about `CanOpenMyNodID`\n"
+                                                 "cgw: did you mean `CanOpenMyNodeID`?\n")
+        result = cgw("explain", "2005h=much", "--format", "json")
+        self.assertEqual((result.returncode, result.stdout), (2, b""))
+        self.assertIn("What can be explained:\n  416 ", result.stderr.decode())
+        self.assertEqual(cgw("explain").returncode, 2)
+
+    def test_nothing_steers_the_terminal(self):
+        result = cgw("explain", "\x1b[31m")
+        self.assertEqual(result.returncode, 2)
+        self.assertNotIn(b"\x1b", result.stderr)
 
 
 class Usage(Verb):

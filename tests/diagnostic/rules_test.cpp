@@ -1,6 +1,5 @@
 #include "diagnostic/rules.hpp"
 
-#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -56,14 +55,5 @@ TEST(Rules, about_the_plant_cite_the_manual_or_a_ruling) {
         if (rule->code >= "E0200") {
             EXPECT_NE(rule->reference.find_first_of("GD"), std::string_view::npos) << rule->code;
         }
-    }
-}
-
-TEST(Rules, stand_in_the_page_of_the_command_line) {
-    const std::string page = cgw::test::read_text(CGW_SAMPLES "/../docs/command-line.md");
-    for (const Rule* rule : all_rules()) {
-        const std::string row = fmt::format("| {} | `{}` | {} | {} | {} |", rule->code, rule->name,
-                                            to_text(rule->level), rule->summary, rule->reference);
-        EXPECT_NE(page.find(row), std::string::npos) << "docs/command-line.md lacks or contradicts: " << row;
     }
 }

@@ -1,0 +1,273 @@
+#include "explain/pages.hpp"
+
+#include <array>
+#include <cctype>
+
+#include <fmt/format.h>
+
+#include "catalogue/errors.hpp"
+#include "catalogue/objects.hpp"
+#include "diagnostic/rules.hpp"
+#include "explain/entries.hpp"
+#include "explain/lists.hpp"
+#include "explain/table.hpp"
+#include "explain/text.hpp"
+#include "explain/wording.hpp"
+
+namespace cgw::explain {
+
+namespace {
+
+using catalogue::ErrorDescription;
+using diagnostic::Level;
+using diagnostic::Rule;
+using parameter::Catalogue;
+using parameter::Device;
+using parameter::Program;
+
+constexpr std::size_t heading_of_group = 2;
+
+// "D17" becomes a link to its ruling; in examples, which are indented by no one, it does not occur.
+std::string with_ruling_links(std::string_view text) {
+    const auto is_word = [&](std::size_t at) {
+        return at < text.size() && std::isalnum(static_cast<unsigned char>(text[at])) != 0;
+    };
+    std::string linked;
+    for (std::size_t i = 0; i < text.size();) {
+        std::size_t end = i + 1;
+        while (end < text.size() && text[end] >= '0' && text[end] <= '9') {
+            ++end;
+        }
+        const bool ruling = text[i] == 'D' && end > i + 1 && !is_word(end) && (i == 0 || !is_word(i - 1));
+        if (ruling) {
+            const std::string_view number = text.substr(i + 1, end - i - 1);
+            linked += fmt::format("[D{}](rulings.md#d{})", number, number);
+            i = end;
+        } else {
+            linked += text[i++];
+        }
+    }
+    return linked;
+}
+
+std::string head(std::string_view title, std::string_view table) {
+    return fmt::format(
+        "<!-- Made from {}. Changes here are lost; see ARCHITECTURE.md, \"Generated pages\". -->\n\n"
+        "# {}\n\n",
+        table, title);
+}
+
+// --- parameters ---
+
+std::string parameters_page(const Catalogue& catalogue) {
+    std::string page = head("Parameters and measurements", "schemas/parameters/*.toml");
+    page +=
+        "What cgw knows of the two devices: numbers, names, levels and ranges as the manuals print them, "
+        "meanings\n"
+        "in our words. `cgw explain NUMBER` says more about each, `cgw list parameters` prints this list.\n\n"
+        "- `0..3` after a name is an array: `CanOpTPDO5-16ID(0..11)` has one element per number.\n"
+        "- Numbers without a name are known to exist and named by your governor's own manual only.\n"
+        "- \"Feeds\" is the object or the word of a PDO in which a parameter shows on the CANopen bus.\n"
+        "- Ranges of the governor are not printed anywhere; ours are an assumption "
+        "([D17](rulings.md#d17), [D19](rulings.md#d19)).\n"
+        "- Measurements cannot be set. What your governor has beyond this list is declared in the parameter\n"
+        "  file ([parameter-file.md](parameter-file.md#declarations)).\n\n";
+    return page + with_ruling_links(render_markdown(parameter_list(catalogue, {}, true), heading_of_group));
+}
+
+// --- checks ---
+
+std::string example(std::string_view title, std::string_view text) {
+    return text.empty()
+               ? ""
+               : fmt::format("{}:\n\n```toml\n{}{}```\n\n", title, text, text.ends_with('\n') ? "" : "\n");
+}
+
+// The lists of people and the sections below them name rules the same way.
+std::string rule_section(const Rule& rule) {
+    std::string section = fmt::format("### {} {}\n\n", rule.code, rule.name);
+    section += fmt::format("Demanded: {}.", rule.summary);
+    section += rule.reference.empty() ? "\n\n" : fmt::format(" ({})\n\n", with_ruling_links(rule.reference));
+    if (!rule.why.empty()) {
+        for (const std::string& line : wrap(rule.why, 100)) {
+            section += line + "\n";
+        }
+        section += "\n";
+    }
+    return section + example("Broken", rule.bad) + example("Kept", rule.good);
+}
+
+std::string lower_case(std::string_view text) {
+    std::string lower;
+    for (const char c : text) {
+        lower += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    }
+    return lower;
+}
+
+std::string checks_page(const Catalogue&) {
+    struct Part {
+        Level level;
+        std::string_view title;
+        std::string_view about;
+    };
+    constexpr std::array parts{
+        Part{Level::error, "Errors",
+             "The plant would not work, or nobody can say what it would do. Nothing is built."},
+        Part{Level::warning, "Warnings",
+             "The plant works, and probably not as it was meant. `-W no-NAME` hides one."},
+        Part{Level::note, "Notes", "Worth knowing, nothing is wrong. `-W no-NAME` hides one."},
+    };
+    std::string page = head("Checks", "lib/diagnostic/rules*.cpp");
+    page +=
+        "What cgw demands of a parameter file, why, and what it looks like broken and kept. `cgw explain "
+        "CODE` prints\n"
+        "one of them. Examples are lines on top of a file that is valid otherwise; a line replaces the one "
+        "with its\n"
+        "key, and `# 427 = 5` stands for a line that is not there.\n\n";
+    std::string list = render_markdown(check_list(), heading_of_group);
+    for (const Rule* rule : diagnostic::all_rules()) {
+        list = replaced(list, fmt::format("| {} |", rule->code),
+                        fmt::format("| [{}](#{}-{}) |", rule->code, lower_case(rule->code), rule->name));
+    }
+    page += with_ruling_links(list);
+    for (const Part& part : parts) {
+        std::string sections;
+        for (const Rule* rule : diagnostic::all_rules()) {
+            sections += rule->level == part.level ? rule_section(*rule) : "";
+        }
+        if (!sections.empty()) {
+            page += fmt::format("\n## {}\n\n{}\n\n{}", part.title, part.about, sections);
+            page.pop_back();
+        }
+    }
+    return page;
+}
+
+// --- errors ---
+
+// "**Cause:** …", or a list where there are several.
+std::string field_text(const Field& field) {
+    std::string label = field.label;
+    label.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(label.front())));
+    if (field.lines.size() == 1) {
+        return fmt::format("**{}:** {}\n\n", label, field.lines.front());
+    }
+    std::string text = fmt::format("**{}:**\n\n", label);
+    for (const std::string& line : field.lines) {
+        text += fmt::format("- {}\n", line);
+    }
+    return text + "\n";
+}
+
+std::string error_section(const ErrorDescription& error, const Catalogue& catalogue) {
+    const Entry entry = error_entry(error, catalogue);
+    const std::string_view title = std::string_view(entry.title).substr(std::string_view("error ").size());
+    std::string section = fmt::format("### {}\n\n", title.substr(0, title.find(" (")));
+    const auto bit = catalogue::find_object_bit(error.number);
+    if (bit && error.program == Program::application) {
+        section += fmt::format("Bit {} of {}. ", bit->bit,
+                               bit->sub == 0 ? object_text(bit->index) : object_text(bit->index, bit->sub));
+    }
+    section += fmt::format("Shown by: {}.\n\n",
+                           title.substr(title.find('(') + 1, title.size() - title.find('(') - 2));
+    for (const Field& field : entry.fields) {
+        section += field_text(field);
+    }
+    return section;
+}
+
+// One group of a page: errors of these devices and this program.
+struct Part {
+    std::string_view title;
+    std::string_view about;
+    bool (*holds)(const ErrorDescription& error);
+};
+
+constexpr std::uint16_t first_canopen_error = 12411;
+
+constexpr std::array error_parts{
+    Part{"CANopen errors",
+         "Both devices show them; their bits make up object 2005h, which a master reads by SDO. Each one "
+         "sets\n"
+         "3074 `ErrCanOpen` as well.",
+         [](const ErrorDescription& error) { return error.number >= first_canopen_error; }},
+    Part{"Errors of the gateway",
+         "Bits of 2000h:1..6. The counter of an error, 100 above it, is kept in the permanent error memory "
+         "and\n"
+         "changes nothing; the service tool clears it.",
+         [](const ErrorDescription& error) {
+             return error.program == Program::application && error.gateway &&
+                    error.number < first_canopen_error;
+         }},
+    Part{"Errors of the governor",
+         "Those that CANopen causes. Everything else is in your governor's own manual.",
+         [](const ErrorDescription& error) {
+             return error.program == Program::application && !error.gateway;
+         }},
+    Part{"Errors of the gateway's bootloader",
+         "The bootloader runs for about 200 ms after each start. When it stays, it answers on the serial "
+         "interface\n"
+         "only, and the same number may mean something else than in the gateway's program (D1).",
+         [](const ErrorDescription& error) { return error.program == Program::bootloader; }},
+};
+
+// What 3800 and 3095 of the bootloader say, and the pages of 3099.
+std::string values_section(const Catalogue& catalogue) {
+    std::string section;
+    for (const std::uint16_t number : {std::uint16_t{3095}, std::uint16_t{3800}}) {
+        const parameter::Row* row = catalogue.find(Device::gateway, Program::bootloader, number);
+        section += fmt::format("### Values of {}\n\n| value | meaning |\n| --- | --- |\n", label(*row));
+        for (const parameter::NamedValue& value : row->values) {
+            section += fmt::format("| {} | {} |\n", value.value, value.text);
+        }
+        section += "\n";
+    }
+    return section;
+}
+
+std::string abort_section() {
+    std::string section =
+        "## SDO abort codes\n\n"
+        "Those that the gateway sends, and what to do then.\n\n| code | meaning | sent for | what to do |\n"
+        "| --- | --- | --- | --- |\n";
+    for (const AbortCodeRow& row : abort_codes()) {
+        if (!row.gateway.empty()) {
+            section += fmt::format("| {:04X} {:04X}h | {} | {} | {} |\n", row.code >> 16U, row.code & 0xFFFFU,
+                                   row.meaning, row.gateway, row.action);
+        }
+    }
+    return section;
+}
+
+std::string errors_page(const Catalogue& catalogue) {
+    std::string page = head("Errors of the devices", "schemas/errors/*.toml");
+    page +=
+        "What the errors of gateway and governor mean, what the devices do, what to do about it and how they "
+        "go away.\n"
+        "`cgw explain 12412` prints one of them, `cgw explain 2005h=0x0102` takes a value apart, `cgw list "
+        "codes`\n"
+        "prints the list.\n\n";
+    for (const Part& part : error_parts) {
+        page += fmt::format("## {}\n\n{}\n\n", part.title, part.about);
+        for (const ErrorDescription& error : catalogue::shipped_errors()) {
+            page += part.holds(error) ? error_section(error, catalogue) : "";
+        }
+    }
+    page += values_section(catalogue) + abort_section();
+    return with_ruling_links(page);
+}
+
+constexpr std::array pages{
+    Page{"parameters.md", parameters_page},
+    Page{"checks.md", checks_page},
+    Page{"errors.md", errors_page},
+};
+
+}  // namespace
+
+std::span<const Page> generated_pages() {
+    return pages;
+}
+
+}  // namespace cgw::explain

@@ -1,0 +1,101 @@
+#include "explain/text.hpp"
+
+#include <algorithm>
+
+namespace cgw::explain {
+
+namespace {
+
+bool is_digit(char c) {
+    return c >= '0' && c <= '9';
+}
+bool is_letter(char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+}
+
+// "1804h" or "12"
+bool is_number(std::string_view word) {
+    if (word.ends_with('h')) {
+        word.remove_suffix(1);
+        return !word.empty() && word.find_first_not_of("0123456789ABCDEF") == std::string_view::npos;
+    }
+    return !word.empty() && std::all_of(word.begin(), word.end(), is_digit);
+}
+
+// Takes the next word, or the next single character that belongs to none, off the front.
+std::string_view next_token(std::string_view& text) {
+    std::size_t length = 0;
+    while (length < text.size() && (is_digit(text[length]) || is_letter(text[length]))) {
+        ++length;
+    }
+    const std::string_view token = text.substr(0, std::max<std::size_t>(length, 1));
+    text.remove_prefix(token.size());
+    return token;
+}
+
+// "TPDO5" and "TPDO16" give "TPDO5..16"
+std::optional<std::string> merged_word(std::string_view first, std::string_view last) {
+    std::size_t prefix = 0;
+    while (prefix < first.size() && prefix < last.size() && is_letter(first[prefix]) &&
+           first[prefix] == last[prefix]) {
+        ++prefix;
+    }
+    const std::string_view last_number = last.substr(prefix);
+    if (!is_number(first.substr(prefix)) || !is_number(last_number)) {
+        return std::nullopt;
+    }
+    return std::string(first) + ".." + std::string(last_number);
+}
+
+}  // namespace
+
+std::size_t width_of(std::string_view text) {
+    return static_cast<std::size_t>(std::count_if(
+        text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
+}
+
+std::vector<std::string> wrap(std::string_view text, std::size_t width) {
+    std::vector<std::string> lines(1);
+    while (!text.empty()) {
+        const std::size_t start = std::min(text.find_first_not_of(' '), text.size());
+        const std::size_t blanks = start;
+        text.remove_prefix(start);
+        const std::string_view word = text.substr(0, text.find(' '));
+        text.remove_prefix(word.size());
+        std::string& line = lines.back();
+        const std::string gap(line.empty() && lines.size() > 1 ? 0 : blanks, ' ');
+        if (line.empty() || width_of(line) + gap.size() + width_of(word) <= width) {
+            line += gap;
+            line += word;
+        } else if (!word.empty()) {
+            lines.emplace_back(word);
+        }
+    }
+    return lines;
+}
+
+std::optional<std::string> merged_text(std::string_view first, std::string_view last) {
+    std::string merged;
+    while (!first.empty() && !last.empty()) {
+        const std::string_view a = next_token(first);
+        const std::string_view b = next_token(last);
+        const std::optional<std::string> word = a == b ? std::string(a) : merged_word(a, b);
+        if (!word) {
+            return std::nullopt;
+        }
+        merged += *word;
+    }
+    return first.empty() && last.empty() ? std::optional(merged) : std::nullopt;
+}
+
+std::string replaced(std::string_view text, std::string_view from, std::string_view to) {
+    std::string result;
+    for (std::size_t at = text.find(from); at != std::string_view::npos; at = text.find(from)) {
+        result += text.substr(0, at);
+        result += to;
+        text.remove_prefix(at + from.size());
+    }
+    return result += text;
+}
+
+}  // namespace cgw::explain

@@ -1,0 +1,27 @@
+// Text for people: width, wrapping, and several counted texts as one.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace cgw::explain {
+
+inline constexpr std::size_t page_width = 80;  // columns
+
+// Columns that UTF-8 text takes; every character counts one.
+std::size_t width_of(std::string_view text);
+
+// Lines of at most `width` columns, broken at blanks; a longer word has a line of its own. At least one line.
+std::vector<std::string> wrap(std::string_view text, std::size_t width);
+
+// Texts that differ in numbers only, as one: "word 1 of TPDO4" and "word 4 of TPDO4" give "word 1..4 of
+// TPDO4", "1804h:1" and "180Fh:1" give "1804h..180Fh:1". nullopt when they differ in anything else.
+std::optional<std::string> merged_text(std::string_view first, std::string_view last);
+
+// `text` with every `from` replaced.
+std::string replaced(std::string_view text, std::string_view from, std::string_view to);
+
+}  // namespace cgw::explain
