@@ -17,7 +17,7 @@ std::string identifier(std::string_view utf8, std::string_view ending = {});
 // The names of one message: what is taken already gets "_2", "_3", … Upper and lower case count as the same.
 class Names {
   public:
-    std::string take(const std::string& identifier);
+    std::string take(const std::string& wanted);
 
   private:
     std::vector<std::string> taken_;

@@ -103,25 +103,25 @@ class Printer {
     }
 
     void attribute_definitions() {
-        line("BA_DEF_ \"BusType\" STRING ;");
-        line("BA_DEF_ BO_ \"GenMsgCycleTime\" INT 0 65535;");
-        line("BA_DEF_ BO_ \"GenMsgSendType\" ENUM \"{}\";", fmt::join(send_types, "\",\""));
-        line("BA_DEF_ BO_ \"VFrameFormat\" ENUM \"StandardCAN\",\"ExtendedCAN\";");
-        line("BA_DEF_DEF_ \"BusType\" \"CAN\";");
-        line("BA_DEF_DEF_ \"GenMsgCycleTime\" 0;");
-        line("BA_DEF_DEF_ \"GenMsgSendType\" \"{}\";", send_types.back());
-        line("BA_DEF_DEF_ \"VFrameFormat\" \"StandardCAN\";");
+        line(R"(BA_DEF_ "BusType" STRING ;)");
+        line(R"(BA_DEF_ BO_ "GenMsgCycleTime" INT 0 65535;)");
+        line(R"(BA_DEF_ BO_ "GenMsgSendType" ENUM "{}";)", fmt::join(send_types, R"(",")"));
+        line(R"(BA_DEF_ BO_ "VFrameFormat" ENUM "StandardCAN","ExtendedCAN";)");
+        line(R"(BA_DEF_DEF_ "BusType" "CAN";)");
+        line(R"(BA_DEF_DEF_ "GenMsgCycleTime" 0;)");
+        line(R"(BA_DEF_DEF_ "GenMsgSendType" "{}";)", send_types.back());
+        line(R"(BA_DEF_DEF_ "VFrameFormat" "StandardCAN";)");
     }
 
     // Values of an ENUM are indices here and texts in the defaults above.
     void attributes() {
-        line("BA_ \"BusType\" \"CAN\";");
+        line(R"(BA_ "BusType" "CAN";)");
         for (const Message& message : database_->messages) {
-            line("BA_ \"VFrameFormat\" BO_ {} 0;", message.identifier);
-            line("BA_ \"GenMsgSendType\" BO_ {} {};", message.identifier,
+            line(R"(BA_ "VFrameFormat" BO_ {} 0;)", message.identifier);
+            line(R"(BA_ "GenMsgSendType" BO_ {} {};)", message.identifier,
                  static_cast<unsigned>(message.send_type));
             if (message.cycle_ms) {
-                line("BA_ \"GenMsgCycleTime\" BO_ {} {};", message.identifier, *message.cycle_ms);
+                line(R"(BA_ "GenMsgCycleTime" BO_ {} {};)", message.identifier, *message.cycle_ms);
             }
         }
     }

@@ -406,6 +406,14 @@ class Usage(Verb):
         self.assert_usage("'b' is one argument too many", "emit", "eds", "a", "b")
         self.assert_usage("--section is an option of image-source, not of eds", "emit", "eds", GENSET,
                           "--section", ".x")
+        self.assert_usage("--generic takes no FILE", "emit", "eds", GENSET, "--generic")
+        self.assert_usage("--generic is an option of eds, not of dcf", "emit", "dcf", "--generic")
+        self.assert_usage("FILE is missing", "emit", "eds")
+        self.assert_usage("--eds-name is an option of eds, dcf, dbc, not of image", "emit", "image", GENSET,
+                          "--eds-name", "x")
+        for name in ("../x", "a/b.eds", "", ".eds", "x;y", "Gr\u00f6\u00dfe"):
+            self.assert_usage("is no name for a data sheet", "emit", "eds", GENSET, "--eds-name", name)
+            self.assert_usage("is no name for a data sheet", "build", GENSET, "-o", self.dir, "--eds-name", name)
         self.assert_usage("human, concise, json", "check", "--format", "xml", GENSET)
         self.assert_usage("--color", "check", "--color", "sometimes", GENSET)
         self.assert_usage("did you mean 'node-id-duplicate'?", "check", "-W", "no-node-id-duplicat", GENSET)
@@ -539,6 +547,25 @@ class Build(Verb):
         result = cgw("build", GENSET, "-o", out, "--check")
         self.assertEqual((result.returncode, result.stderr.decode().count("stale")), (1, 1))
 
+    def test_two_gateways_in_one_project_stay_apart(self):
+        other = self.dir / "other.toml"
+        other.write_text(pathlib.Path(GENSET).read_text().replace("Genset 2, starboard", "Genset 1, port"))
+        for file, given, name, title in ((GENSET, "starboard", "starboard", "Genset 2, starboard"),
+                                         (other, "port.eds", "port", "Genset 1, port")):
+            out = self.dir / name
+            self.assertEqual(cgw("build", file, "-o", out, "--eds-name", given).returncode, 0)
+            self.assertEqual(self.files(out), sorted(a.replace("CANopenGateway", name) for a in ARTEFACTS))
+            eds = (out / f"{name}.eds").read_text()
+            self.assertIn(f"FileName={name}.eds\n", eds)
+            self.assertIn(f"Description={title}, configuration ", eds)
+            dcf = (out / f"{name}.dcf").read_text()
+            self.assertIn(f"FileName={name}.dcf\n", dcf)
+            self.assertIn(f"LastEDS={name}.eds\n", dcf)
+            self.assertIn(f'CM_ "{title}. Gateway node 12', (out / f"{name}.dbc").read_text())
+            self.assertEqual(cgw("build", file, "-o", out, "--eds-name", given, "--check").returncode, 0)
+            listed = cgw("build", file, "-o", out, "--eds-name", given, "--list-outputs").stdout.decode()
+            self.assertEqual(sorted(listed.split()), [str(out / f) for f in self.files(out)])
+
     def test_depends_on_the_file_only(self):
         copy = self.dir / "copy" / "genset.toml"
         copy.parent.mkdir()
@@ -561,7 +588,8 @@ class Build(Verb):
 class Emit(Verb):
     def test_standard_output_and_file_are_the_same(self):
         cgw("build", GENSET, "-o", self.dir / "built")
-        for arguments, name in ((["eds"], "CANopenGateway.eds"), (["image"], "gateway-config.bin"),
+        for arguments, name in ((["eds"], "CANopenGateway.eds"), (["dcf"], "CANopenGateway.dcf"),
+                                (["dbc"], "CANopenGateway.dbc"), (["image"], "gateway-config.bin"),
                                 (["pdo-table", "--format", "md"], "pdo-table.md"),
                                 (["pdo-table", "--format", "csv"], "pdo-table.csv"),
                                 (["pdo-table", "--format", "json"], "pdo-table.json")):
@@ -571,6 +599,25 @@ class Emit(Verb):
             built = (self.dir / "built" / name).read_bytes()
             self.assertEqual(result.stdout, built, name)
             self.assertEqual((self.dir / name).read_bytes(), built, name)
+
+    def test_the_generic_data_sheet_needs_no_file(self):
+        result = cgw("emit", "eds", "--generic")
+        self.assertEqual((result.returncode, result.stderr), (0, b""))
+        text = result.stdout.decode()
+        self.assertIn("FileName=CANopenGateway.eds\r\n", text)
+        self.assertIn("DefaultValue=$NODEID+0x80000180\r\n", text)
+        self.assertIn(f"ModifiedBy=cgw {os.environ['CGW_VERSION']}\r\n", text)
+        target = self.dir / "plain.eds"
+        arguments = ("emit", "eds", "--generic", "--eds-name", "plain", "-o", target)
+        self.assertEqual(cgw(*arguments, "--check").returncode, 1)
+        self.assertEqual(cgw(*arguments, "--depfile", self.dir / "d").returncode, 0)
+        self.assertEqual(cgw(*arguments, "--check").returncode, 0)
+        self.assertEqual(target.read_bytes(), text.replace("CANopenGateway.eds", "plain.eds").encode())
+        self.assertEqual((self.dir / "d").read_text(), f"{target}:\n")
+        dated = cgw("emit", "eds", "--generic", SOURCE_DATE_EPOCH="1700000000").stdout.decode()
+        self.assertIn("ModificationDate=11-14-2023\r\n", dated)
+        self.assertIn("CreationDate=05-19-2004\r\n", dated)
+        self.assertEqual(cgw("emit", "eds", "--generic", SOURCE_DATE_EPOCH="yesterday").returncode, 2)
 
     def test_pdo_table_json_fits_its_schema(self):
         schema = json.loads((SAMPLES.parent / "schemas/pdo-table.schema.json").read_text())

@@ -1,9 +1,11 @@
 #include <gtest/gtest.h>
 
+#include <fmt/format.h>
 #include <set>
 
 #include "eds/writer.hpp"
 #include "plant.hpp"
+#include "support/golden.hpp"
 
 namespace cgw::emit {
 
@@ -37,6 +39,18 @@ TEST(Emitters, name_the_files_that_build_writes) {
     EXPECT_EQ(names, (std::set<std::string>{"CANopenGateway.eds", "CANopenGateway.dcf", "CANopenGateway.dbc",
                                             "pdo-table.md", "pdo-table.csv", "pdo-table.json",
                                             "gateway-config.bin"}));
+}
+
+TEST(Emitters, are_documented_with_the_files_they_write) {
+    for (const std::string page : {"artefacts.md", "command-line.md"}) {
+        const std::string text = test::read_text(CGW_TEST_DATA "/../../docs/" + page);
+        for (const Emitter& emitter : all_emitters()) {
+            EXPECT_NE(text.find(fmt::format("| `{}` |", emitter.name)), std::string::npos)
+                << page << ": " << emitter.name;
+            const std::string name = file_name(emitter.formats.front(), {});
+            EXPECT_NE(text.find(name), std::string::npos) << page << ": " << name;
+        }
+    }
 }
 
 TEST(EmitterFormats, begin_with_the_default) {
