@@ -58,6 +58,15 @@ const Rule* const table[] = {
     &tpdo_parameter_unknown,
     &tpdo_parameter_bit,
     &communication_off,
+    &table_row,
+    &table_value_ambiguous,
+    &table_ellipsis,
+    &table_unit,
+    &table_of_other_device,
+    &table_empty,
+    &table_misprint,
+    &table_measurement,
+    &clone_identifier,
 };
 
 }  // namespace
