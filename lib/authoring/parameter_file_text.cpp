@@ -28,11 +28,11 @@ bool starts_list(std::span<const WrittenValue> values) {
 }
 
 std::string key(const Row& row) {
-    return row.name.empty() ? fmt::format("{}", row.number) : fmt::format("\"{}\"", parameter::label(row));
+    return row.name.empty() ? fmt::format("{}", row.number) : toml_string(parameter::label(row));
 }
 
 std::string list_key(const Row& first) {
-    return fmt::format("\"{} {}\"", first.number, parameter::array_name(first));
+    return toml_string(fmt::format("{} {}", first.number, parameter::array_name(first)));
 }
 
 bool is_assignment(const Row& row) {
@@ -65,7 +65,11 @@ std::string remark(std::span<const WrittenValue> values, const parameter::Catalo
 
 std::string assignment_text(std::span<const WrittenValue> values, const parameter::Catalogue& catalogue) {
     const Row& row = *values.front().row;
-    std::string text = row.text.empty() ? "" : fmt::format("# {}\n", row.text);
+    const std::string first =
+        values.size() == 1
+            ? ""
+            : fmt::format("{}..{}; the first: ", row.number, values.back().row->number);
+    std::string text = row.text.empty() ? "" : fmt::format("# {}{}\n", first, row.text);
     if (values.size() == 1) {
         text += fmt::format("{} = {}", key(row), values.front().literal);
     } else {

@@ -87,12 +87,10 @@ class TableReader {
         if (theirs <= ours) {
             return false;
         }
-        report(
-            rules::table_of_other_device, first->number.range,
-            fmt::format("this looks like a table of the {}: {} of its rows fit only the {}, {} only the {}",
-                        parameter::to_text(other), theirs, parameter::to_text(other), ours,
-                        parameter::to_text(device_)),
-            fmt::format("give it as --{}", parameter::to_text(other)));
+        report(rules::table_of_other_device, first->number.range,
+               fmt::format("this looks like a table of the {}: {} rows fit only that, {} only the {}",
+                           parameter::to_text(other), theirs, ours, parameter::to_text(device_)),
+               fmt::format("give it as --{}", parameter::to_text(other)));
         return true;
     }
 

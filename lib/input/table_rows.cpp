@@ -105,9 +105,10 @@ bool is_rule(const CellLine& line) {
     return has_dash;
 }
 
-// "7.1.1": sections are numbered so, parameters are not.
+// "7.1.1", "2.", "3)": sections and steps are numbered so, parameters are not.
 bool is_section_number(std::string_view text) {
-    int parts = 0;
+    int parts = text.ends_with('.') || text.ends_with(')') ? 1 : 0;
+    text.remove_suffix(static_cast<std::size_t>(parts));
     for (std::size_t at = 0; at <= text.size();) {
         const std::size_t end = std::min(text.find('.', at), text.size());
         const std::string_view part = text.substr(at, end - at);
