@@ -58,14 +58,26 @@ std::string section_of(const std::string& section) {
     return section;
 }
 
+bool takes(const emit::Emitter& emitter, std::string_view option) {
+    return std::find(emitter.options.begin(), emitter.options.end(), option) != emitter.options.end();
+}
+
+void refuse_foreign_option(const emit::Emitter& emitter, std::string_view option) {
+    std::vector<std::string_view> takers;
+    for (const emit::Emitter& other : emit::all_emitters()) {
+        if (takes(other, option)) {
+            takers.push_back(other.name);
+        }
+    }
+    throw UsageError(
+        fmt::format("{} is an option of {}, not of {}", option, fmt::join(takers, ", "), emitter.name));
+}
+
 void refuse_foreign_options(const Arguments& arguments, const emit::Emitter& emitter) {
     for (const emit::Emitter& other : emit::all_emitters()) {
         for (const std::string_view option : other.options) {
-            const bool taken =
-                std::find(emitter.options.begin(), emitter.options.end(), option) != emitter.options.end();
-            if (!taken && arguments.given(option)) {
-                throw UsageError(
-                    fmt::format("{} is an option of {}, not of {}", option, other.name, emitter.name));
+            if (!takes(emitter, option) && arguments.given(option)) {
+                refuse_foreign_option(emitter, option);
             }
         }
     }
@@ -95,6 +107,14 @@ std::vector<Word> artefact_format_words() {
     return words;
 }
 
+std::string eds_name_of(const Arguments& arguments) {
+    const base::Result<std::string> name = emit::eds_file_name(arguments.value("--eds-name"));
+    if (!name) {
+        throw UsageError(fmt::format("--eds-name: {}", name.error().message));
+    }
+    return *name;
+}
+
 emit::Options artefact_options(const Arguments& arguments, const emit::Emitter& emitter) {
     refuse_foreign_options(arguments, emitter);
     emit::Options options;
@@ -102,6 +122,7 @@ emit::Options artefact_options(const Arguments& arguments, const emit::Emitter& 
     options.section = section_of(arguments.value("--section"));
     options.alignment = alignment_of(arguments.value("--align"));
     options.symbol = symbol_of(arguments.value("--symbol"));
+    options.eds_name = eds_name_of(arguments);
     return options;
 }
 

@@ -29,7 +29,17 @@ inline constexpr Option symbol_option = {.names = "--symbol",
                                          .summary = "image-source: name of the array",
                                          .default_value = "cgw_config_image"};
 
+inline constexpr Option eds_name_option = {
+    .names = "--eds-name",
+    .value = "NAME",
+    .summary = "file name of the data sheets, inside them too; .dcf and .dbc follow",
+    .default_value = emit::default_eds_name,
+};
+inline constexpr Option generic_option = {
+    .names = "--generic", .summary = "eds: the manual's data sheet, faults mended; takes no FILE"};
+
 // Throws UsageError when a value is wrong or the emitter does not take an option that was given.
+std::string eds_name_of(const Arguments& arguments);
 emit::Options artefact_options(const Arguments& arguments, const emit::Emitter& emitter);
 
 }  // namespace cgw::cli

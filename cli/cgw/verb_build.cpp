@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "base/utf8.hpp"
+#include "cli/cgw/artefact_options.hpp"
 #include "cli/cgw/exit_codes.hpp"
 #include "cli/cgw/shared_options.hpp"
 #include "cli/cgw/terminal.hpp"
@@ -25,6 +26,7 @@ struct BuildOptions {
     bool list_outputs = false;  // print the paths instead of write
     std::string depfile;
     bool color = false;
+    emit::Options artefacts;
 };
 
 std::string in_directory(const BuildOptions& options, const std::string& name) {
@@ -33,7 +35,7 @@ std::string in_directory(const BuildOptions& options, const std::string& name) {
 
 int list_outputs(const BuildOptions& options) {
     std::string text;
-    for (const std::string& name : driver::build_file_names()) {
+    for (const std::string& name : driver::build_file_names(options.artefacts)) {
         text += in_directory(options, name) + "\n";
     }
     return print(text) ? exit_fine : exit_environment;
@@ -59,7 +61,7 @@ base::Result<void> write(const BuildOptions& options, const driver::CheckedFile&
 
 std::vector<std::string> outputs(const BuildOptions& options) {
     std::vector<std::string> paths;
-    for (const std::string& name : driver::build_file_names()) {
+    for (const std::string& name : driver::build_file_names(options.artefacts)) {
         paths.push_back(in_directory(options, name));
     }
     if (!options.depfile.empty()) {
@@ -96,7 +98,7 @@ int build(const BuildOptions& options) {
         return exit_usage;
     }
     const emit::Plant plant = made->view();
-    const std::vector<driver::Artefact> artefacts = driver::build_artefacts(plant);
+    const std::vector<driver::Artefact> artefacts = driver::build_artefacts(plant, options.artefacts);
     if (options.check) {
         return compare(options, artefacts);
     }
@@ -118,6 +120,7 @@ constexpr Option build_options[] = {
      .summary = "directory for the artefacts; created if missing",
      .required = true,
      .completes = Completes::directories},
+    eds_name_option,
     check_option,
     list_outputs_option,
     depfile_option,
@@ -134,6 +137,7 @@ int run_build(const Arguments& arguments) {
     options.list_outputs = arguments.given("--list-outputs");
     options.depfile = arguments.value("--depfile");
     options.color = use_color(arguments, stderr);
+    options.artefacts.eds_name = eds_name_of(arguments);
     return build(options);
 }
 

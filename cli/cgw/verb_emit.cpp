@@ -17,6 +17,7 @@ namespace {
 struct EmitOptions {
     const emit::Emitter* emitter = nullptr;
     emit::Options artefact;
+    bool generic = false;  // no configuration: no parameter file either
     std::string file;
     std::string output;
     bool check = false;
@@ -35,15 +36,16 @@ int write_to_stdout(const base::Bytes& content) {
     return print(text) ? exit_fine : exit_environment;
 }
 
-int write_to_file(const EmitOptions& options, const driver::CheckedFile& file, const base::Bytes& content) {
+int write_to_file(const EmitOptions& options, const std::vector<std::string>& dependencies,
+                  const base::Bytes& content) {
     std::vector<std::string> outputs = {options.output};
     std::vector<driver::Artefact> files = {{std::filesystem::absolute(options.output).string(), content}};
     if (!options.depfile.empty()) {
         outputs.push_back(options.depfile);
         files.push_back({std::filesystem::absolute(options.depfile).string(),
-                         base::to_bytes(driver::dependency_file(options.output, file.dependencies))});
+                         base::to_bytes(driver::dependency_file(options.output, dependencies))});
     }
-    if (const std::string why = driver::clash(outputs, file.dependencies); !why.empty()) {
+    if (const std::string why = driver::clash(outputs, dependencies); !why.empty()) {
         print_error(why);
         return exit_usage;
     }
@@ -63,10 +65,24 @@ int compare(const EmitOptions& options, const base::Bytes& content) {
     return exit_findings;
 }
 
-int emit(const EmitOptions& options) {
-    if (options.list_outputs) {
-        return print(options.output + "\n") ? exit_fine : exit_environment;
+int deliver(const EmitOptions& options, const std::vector<std::string>& dependencies,
+            const base::Bytes& content) {
+    if (options.check) {
+        return compare(options, content);
     }
+    return options.output == "-" ? write_to_stdout(content) : write_to_file(options, dependencies, content);
+}
+
+int emit_generic(const EmitOptions& options) {
+    const base::Result<emit::Origin> origin = driver::origin();
+    if (!origin) {
+        print_error(origin.error().message);
+        return exit_usage;
+    }
+    return deliver(options, {}, options.emitter->emit_generic(*origin, options.artefact));
+}
+
+int emit_configured(const EmitOptions& options) {
     const driver::CheckedFile file = driver::check_file(options.file);
     report_findings(file, options.color);
     if (!file.valid()) {
@@ -77,22 +93,29 @@ int emit(const EmitOptions& options) {
         print_error(made.error().message);
         return exit_usage;
     }
-    const base::Bytes content = options.emitter->emit(made->view(), options.artefact);
-    if (options.check) {
-        return compare(options, content);
+    return deliver(options, file.dependencies, options.emitter->emit(made->view(), options.artefact));
+}
+
+int emit(const EmitOptions& options) {
+    if (options.list_outputs) {
+        return print(options.output + "\n") ? exit_fine : exit_environment;
     }
-    return options.output == "-" ? write_to_stdout(content) : write_to_file(options, file, content);
+    return options.generic ? emit_generic(options) : emit_configured(options);
 }
 
 constexpr Option emit_options[] = {
     emitter_option,
-    parameter_file_option,
+    {.names = "FILE",
+     .summary = "parameter file; - is standard input; none with --generic",
+     .completes = Completes::files},
     {.names = "-o,--output",
      .value = "PATH",
      .summary = "output file; - is standard output",
      .default_value = "-",
      .completes = Completes::files},
     artefact_format_option,
+    generic_option,
+    eds_name_option,
     section_option,
     alignment_option,
     symbol_option,
@@ -102,11 +125,22 @@ constexpr Option emit_options[] = {
     color_option,
 };
 
+void check_file_argument(const Arguments& arguments, bool generic) {
+    if (generic && arguments.given("FILE")) {
+        throw UsageError("--generic takes no FILE: the generic data sheet depends on no configuration");
+    }
+    if (!generic && !arguments.given("FILE")) {
+        throw UsageError("FILE is missing");
+    }
+}
+
 int run_emit(const Arguments& arguments) {
     refuse_dash(arguments, "--depfile");
     EmitOptions options;
     options.emitter = emit::find_emitter(arguments.value("NAME"));
     options.artefact = artefact_options(arguments, *options.emitter);
+    options.generic = arguments.given("--generic");
+    check_file_argument(arguments, options.generic);
     options.file = arguments.value("FILE");
     options.output = arguments.value("--output");
     options.check = arguments.given("--check");

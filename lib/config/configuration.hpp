@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "parameter/row.hpp"
@@ -33,6 +34,11 @@ struct BusTiming {
     std::uint8_t phase_segment_2 = 0;
     std::uint8_t prop_segment = 0;  // 0 in the governor, which has none
 };
+
+// Bits per second: as set, or from registers, clock and controller family (D7), rounded. nullopt where the
+// timing is manual and the parameter file tells no clock.
+std::optional<std::uint32_t> bit_rate(const BusTiming& timing,
+                                      const std::optional<parameter::BitTiming>& controller);
 
 enum class Direction : std::uint8_t { transmit, receive };
 enum class CobIdSource : std::uint8_t { predefined, parameter };

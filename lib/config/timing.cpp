@@ -39,6 +39,21 @@ BusTiming bus_timing(const parameter::ParameterSet& set, std::uint16_t manual, s
 
 }  // namespace
 
+std::optional<std::uint32_t> bit_rate(const BusTiming& timing,
+                                      const std::optional<parameter::BitTiming>& controller) {
+    if (!timing.manual) {
+        return timing.bit_rate_kbit * 1000U;
+    }
+    if (!controller) {
+        return std::nullopt;
+    }
+    const std::uint64_t quanta =
+        1U + (timing.prop_segment + 1U) + (timing.phase_segment_1 + 1U) + (timing.phase_segment_2 + 1U);
+    const std::uint64_t clocks_per_step = controller->family == parameter::ControllerFamily::mcp2515 ? 2 : 1;
+    const std::uint64_t clocks_per_bit = clocks_per_step * (timing.prescaler + 1U) * quanta;
+    return static_cast<std::uint32_t>((controller->clock_hz + clocks_per_bit / 2) / clocks_per_bit);
+}
+
 CyclicTime cyclic_time(std::uint32_t asked_ms, std::uint32_t main_cycle_us) {
     if (asked_ms == 0 || main_cycle_us == 0) {
         return {.asked_ms = asked_ms};

@@ -30,6 +30,7 @@ struct Variable {
     Value default_value;
     std::optional<std::uint32_t> low_limit;
     std::optional<std::uint32_t> high_limit;
+    bool run_time = false;  // the device changes it while it runs, so that no file can say what it is
 };
 
 struct Object {

@@ -35,20 +35,21 @@ std::string escape_for_make(const std::string& path) {
 
 }  // namespace
 
-std::vector<Artefact> build_artefacts(const emit::Plant& plant) {
+std::vector<Artefact> build_artefacts(const emit::Plant& plant, const emit::Options& options) {
     std::vector<Artefact> artefacts;
     for_each_built([&](const emit::Emitter& emitter, const emit::Format& format) {
-        emit::Options options;
-        options.format = format.name;
-        artefacts.push_back({std::string(format.file_name), emitter.emit(plant, options)});
+        emit::Options own = options;
+        own.format = format.name;
+        artefacts.push_back({emit::file_name(format, options), emitter.emit(plant, own)});
     });
     return artefacts;
 }
 
-std::vector<std::string> build_file_names() {
+std::vector<std::string> build_file_names(const emit::Options& options) {
     std::vector<std::string> names;
-    for_each_built(
-        [&](const emit::Emitter&, const emit::Format& format) { names.emplace_back(format.file_name); });
+    for_each_built([&](const emit::Emitter&, const emit::Format& format) {
+        names.push_back(emit::file_name(format, options));
+    });
     return names;
 }
 

@@ -16,11 +16,12 @@ struct Artefact {
     base::Bytes content;
 };
 
-// Everything `build` writes, in the order of the emitter table.
-std::vector<Artefact> build_artefacts(const emit::Plant& plant);
+// Everything `build` writes, in the order of the emitter table. Every emitter gets the options, with the
+// format in question.
+std::vector<Artefact> build_artefacts(const emit::Plant& plant, const emit::Options& options = {});
 
 // File names of the above without a plant.
-std::vector<std::string> build_file_names();
+std::vector<std::string> build_file_names(const emit::Options& options = {});
 
 // Creates the directory when it is missing (and removes it again when nothing could be written).
 // Nothing is visible before all is staged; identical files stay untouched. An artefact whose name is an

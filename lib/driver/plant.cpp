@@ -25,6 +25,14 @@ std::string tool_version() {
     return fmt::format("{}.{}.{}", version_numbers[0], version_numbers[1], version_numbers[2]);
 }
 
+base::Result<emit::Origin> origin() {
+    base::Result<parameter::Date> date = artefact_date(std::nullopt, std::getenv("SOURCE_DATE_EPOCH"));
+    if (!date) {
+        return tl::unexpected(date.error());
+    }
+    return emit::Origin{*date, tool_version()};
+}
+
 base::Result<Plant> Plant::make(const CheckedFile& file) {
     const parameter::Settings& settings = file.settings;
     base::Result<parameter::Date> date =
@@ -46,9 +54,8 @@ base::Result<Plant> Plant::make(const CheckedFile& file) {
 }
 
 emit::Plant Plant::view() const {
-    return {file_->settings,   file_->configuration,        dictionary_,
-            configuration_id_, short_id(configuration_id_), version_numbers,
-            tool_version()};
+    return {file_->settings,   *file_->catalogue,           file_->configuration, dictionary_,
+            configuration_id_, short_id(configuration_id_), version_numbers,      tool_version()};
 }
 
 }  // namespace cgw::driver

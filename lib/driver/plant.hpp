@@ -13,6 +13,9 @@ namespace cgw::driver {
 // The one version, from project(VERSION).
 std::string tool_version();
 
+// For artefacts that need no parameter file. Fails on a malformed SOURCE_DATE_EPOCH.
+base::Result<emit::Origin> origin();
+
 // Refers to the checked file, which must outlive it and be valid().
 class Plant {
   public:

@@ -55,8 +55,11 @@ std::string hexadecimal(std::uint32_t number, object::DataType type) {
     return fmt::format("0x{:0{}X}", kept, digits);
 }
 
-std::string default_text(const Variable& variable) {
+std::string default_text(const Variable& variable, const Commissioning* node) {
     const dictionary::Value& value = variable.default_value;
+    if (node != nullptr) {
+        return hexadecimal(value.resolve(node->node_id), variable.type);
+    }
     return value.node_id_relative ? fmt::format("$NODEID+0x{:X}", value.number)
                                   : hexadecimal(value.number, variable.type);
 }
@@ -70,7 +73,8 @@ void text_entry(Section& section, std::string key, std::string_view text) {
     section.entry(std::move(key), std::move(value));
 }
 
-void file_information(Document& document, const dictionary::FileInformation& file) {
+void file_information(Document& document, const dictionary::FileInformation& file,
+                      const Commissioning* node) {
     Section& section = document.section("FileInfo");
     text_entry(section, "FileName", file.file_name);
     section.entry("FileVersion", decimal(file.file_version));
@@ -83,6 +87,22 @@ void file_information(Document& document, const dictionary::FileInformation& fil
     section.entry("ModificationTime", file.modification_time);
     section.entry("ModificationDate", file.modification_date);
     text_entry(section, "ModifiedBy", file.modified_by);
+    if (node != nullptr) {
+        text_entry(section, "LastEDS", node->last_eds);
+    }
+}
+
+void commissioning(Document& document, const Commissioning& node) {
+    Section& section = document.section("DeviceComissioning");
+    section.entry("NodeID", decimal(node.node_id));
+    text_entry(section, "NodeName", node.node_name);
+    if (node.bit_rate_kbit) {
+        section.entry("Baudrate", decimal(*node.bit_rate_kbit));
+    }
+    section.entry("NetNumber", decimal(node.net_number));
+    text_entry(section, "NetworkName", node.network_name);
+    section.entry("CANopenManager", flag(node.canopen_manager));
+    section.entry("LSS_SerialNumber", hexadecimal(node.serial_number, object::DataType::unsigned32));
 }
 
 void device_information(Document& document, const dictionary::DeviceInformation& device) {
@@ -129,11 +149,14 @@ std::string object_type(object::ObjectCode code) {
     return fmt::format("0x{:X}", static_cast<unsigned>(code));
 }
 
-void variable_entries(Section& section, const Variable& variable) {
+void variable_entries(Section& section, const Variable& variable, const Commissioning* node) {
     section.entry("ObjectType", object_type(object::ObjectCode::var));
     section.entry("DataType", fmt::format("0x{:04X}", static_cast<unsigned>(variable.type)));
     section.entry("AccessType", std::string(access_types.at(static_cast<std::size_t>(variable.access))));
-    section.entry("DefaultValue", default_text(variable));
+    section.entry("DefaultValue", default_text(variable, node));
+    if (node != nullptr && !variable.run_time) {
+        section.entry("ParameterValue", default_text(variable, node));
+    }
     section.entry("PDOMapping", flag(variable.pdo_mapping));
     if (variable.low_limit) {
         section.entry("LowLimit", hexadecimal(*variable.low_limit, variable.type));
@@ -143,11 +166,11 @@ void variable_entries(Section& section, const Variable& variable) {
     }
 }
 
-void object_sections(Document& document, const Object& object) {
+void object_sections(Document& document, const Object& object, const Commissioning* node) {
     Section& section = document.section(fmt::format("{:04X}", object.index));
     text_entry(section, "ParameterName", object.name);
     if (object.code == object::ObjectCode::var) {
-        variable_entries(section, object.variables.front());
+        variable_entries(section, object.variables.front(), node);
         return;
     }
     section.entry("ObjectType", object_type(object.code));
@@ -155,11 +178,12 @@ void object_sections(Document& document, const Object& object) {
     for (const Variable& variable : object.variables) {
         Section& sub = document.section(fmt::format("{:04X}sub{:X}", object.index, variable.sub_index));
         text_entry(sub, "ParameterName", variable.name);
-        variable_entries(sub, variable);
+        variable_entries(sub, variable, node);
     }
 }
 
-void object_list(Document& document, const ObjectList& list, const std::vector<Object>& all) {
+void object_list(Document& document, const ObjectList& list, const std::vector<Object>& all,
+                 const Commissioning* node) {
     std::vector<const Object*> listed;
     for (const Object& object : all) {
         if (list.contains(object.index)) {
@@ -172,26 +196,42 @@ void object_list(Document& document, const ObjectList& list, const std::vector<O
         section.entry(decimal(i + 1), fmt::format("0x{:04X}", listed[i]->index));
     }
     for (const Object* const object : listed) {
-        object_sections(document, *object);
+        object_sections(document, *object, node);
     }
+}
+
+// `node` is nullptr for a data sheet.
+Document make_document(const Dictionary& dictionary, const Commissioning* node) {
+    Document document;
+    file_information(document, dictionary.file, node);
+    device_information(document, dictionary.device);
+    if (node != nullptr) {
+        commissioning(document, *node);
+    }
+    dummy_usage(document, dictionary.supported_dummies);
+    comments(document, dictionary.comments);
+    for (const ObjectList& list : object_lists) {
+        object_list(document, list, dictionary.objects, node);
+    }
+    return document;
 }
 
 }  // namespace
 
 Document to_document(const Dictionary& dictionary) {
-    Document document;
-    file_information(document, dictionary.file);
-    device_information(document, dictionary.device);
-    dummy_usage(document, dictionary.supported_dummies);
-    comments(document, dictionary.comments);
-    for (const ObjectList& list : object_lists) {
-        object_list(document, list, dictionary.objects);
-    }
-    return document;
+    return make_document(dictionary, nullptr);
+}
+
+Document to_document(const Dictionary& dictionary, const Commissioning& node) {
+    return make_document(dictionary, &node);
 }
 
 std::string write(const Dictionary& dictionary) {
     return print(to_document(dictionary));
+}
+
+std::string write(const Dictionary& dictionary, const Commissioning& node) {
+    return print(to_document(dictionary, node));
 }
 
 }  // namespace cgw::eds

@@ -7,6 +7,9 @@
 namespace cgw::emit {
 
 base::Bytes emit_eds(const Plant& plant, const Options& options);
+base::Bytes emit_generic_eds(const Origin& origin, const Options& options);
+base::Bytes emit_dcf(const Plant& plant, const Options& options);
+base::Bytes emit_dbc(const Plant& plant, const Options& options);
 base::Bytes emit_pdo_table(const Plant& plant, const Options& options);
 base::Bytes emit_image(const Plant& plant, const Options& options);
 base::Bytes emit_image_source(const Plant& plant, const Options& options);

@@ -9,15 +9,19 @@
 #include <string_view>
 
 #include "base/bytes.hpp"
+#include "base/result.hpp"
 #include "config/configuration.hpp"
 #include "dictionary/dictionary.hpp"
 #include "parameter/settings.hpp"
 
 namespace cgw::emit {
 
+inline constexpr std::string_view default_eds_name = "CANopenGateway.eds";
+
 // A checked configuration with everything the emitters need.
 struct Plant {
     const parameter::Settings& settings;
+    const parameter::Catalogue& catalogue;
     const config::Configuration& configuration;
     const dictionary::Dictionary& dictionary;
     std::array<std::uint8_t, 32> configuration_id{};
@@ -26,16 +30,24 @@ struct Plant {
     std::string tool_version_text;  // "0.1.0"
 };
 
+// What an artefact that needs no configuration still says about itself.
+struct Origin {
+    parameter::Date date;
+    std::string tool_version_text;
+};
+
 struct Options {
-    std::string format;                       // one of the emitter's formats; "" is its first
-    std::string section = ".cgw_config";      // --section: linker section
-    unsigned alignment = 8;                   // --align: bytes, a power of two
-    std::string symbol = "cgw_config_image";  // --symbol: C identifier
+    std::string format;                                    // one of the emitter's formats; "" is its first
+    std::string section = ".cgw_config";                   // --section: linker section
+    unsigned alignment = 8;                                // --align: bytes, a power of two
+    std::string symbol = "cgw_config_image";               // --symbol: C identifier
+    std::string eds_name = std::string(default_eds_name);  // --eds-name: as eds_file_name() returns it
 };
 
 struct Format {
-    std::string_view name;       // "md"
-    std::string_view file_name;  // what `build` calls it: "pdo-table.md"; "" when build leaves it out
+    std::string_view name;          // "md"
+    std::string_view file_name;     // what `build` calls it: "pdo-table.md"; "" when build leaves it out
+    bool follows_eds_name = false;  // `file_name` is an ending, ".dcf", behind the stem of Options::eds_name
 };
 
 struct Emitter {
@@ -44,6 +56,7 @@ struct Emitter {
     std::span<const Format> formats;
     base::Bytes (*emit)(const Plant&, const Options&);
     std::span<const std::string_view> options{};  // what it takes beside --format: "--section"
+    base::Bytes (*emit_generic)(const Origin&, const Options&) = nullptr;  // nullptr: needs a configuration
 };
 
 std::span<const Emitter> all_emitters();
@@ -51,5 +64,13 @@ const Emitter* find_emitter(std::string_view name);  // nullptr: there is none
 
 // The emitter's format of that name, its first for ""; nullptr when it has none of that name.
 const Format* find_format(const Emitter& emitter, std::string_view name);
+
+// Name of the file that `build` writes for a format; "" when it writes none.
+std::string file_name(const Format& format, const Options& options);
+
+// The name a user gave the data sheets, with ".eds" behind it where that was left out. A failure says what is
+// wrong: such a name goes into FileInfo and through other people's tools, so letters, digits, blanks and . _
+// - only, beginning with a letter or digit, at most 64 characters.
+base::Result<std::string> eds_file_name(std::string_view name);
 
 }  // namespace cgw::emit

@@ -5,9 +5,13 @@
 namespace cgw::emit {
 namespace {
 
-constexpr std::array eds_formats{Format{"eds", "CANopenGateway.eds"}};
+constexpr std::array eds_formats{Format{"eds", ".eds", true}};
+constexpr std::array dcf_formats{Format{"dcf", ".dcf", true}};
+constexpr std::array dbc_formats{Format{"dbc", ".dbc", true}};
 constexpr std::array image_formats{Format{"bin", "gateway-config.bin"}};
 constexpr std::array image_source_formats{Format{"cpp", ""}};
+constexpr std::array<std::string_view, 2> eds_options{"--generic", "--eds-name"};
+constexpr std::array<std::string_view, 1> named_options{"--eds-name"};
 constexpr std::array<std::string_view, 3> image_source_options{"--section", "--align", "--symbol"};
 
 template <typename Row>
@@ -21,7 +25,12 @@ const Row* find_row(std::span<const Row> rows, std::string_view name) {
 
 std::span<const Emitter> all_emitters() {
     static const std::array emitters{
-        Emitter{"eds", "electronic data sheet of the configured gateway (CiA 306)", eds_formats, emit_eds},
+        Emitter{"eds", "electronic data sheet of the configured gateway (CiA 306)", eds_formats, emit_eds,
+                eds_options, emit_generic_eds},
+        Emitter{"dcf", "device configuration file: the data sheet of this one node (CiA 306)", dcf_formats,
+                emit_dcf, named_options},
+        Emitter{"dbc", "CAN database: messages and scaled signals of the active PDOs", dbc_formats, emit_dbc,
+                named_options},
         Emitter{"pdo-table", "identifiers, cycle times and contents of the 20 PDOs", pdo_table_formats(),
                 emit_pdo_table},
         Emitter{"image", "configuration image for the gateway runtime", image_formats, emit_image},

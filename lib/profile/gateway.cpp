@@ -28,7 +28,7 @@ constexpr std::uint16_t producer_heartbeat = 0x1017;
 constexpr std::uint16_t identity = 0x1018;
 
 constexpr std::array device_type{VariableRow{0, "Device Type", DataType::unsigned32}};
-constexpr std::array error_register{VariableRow{0, "Error Register", DataType::unsigned8}};
+constexpr std::array error_register{VariableRow{0, "Error Register", DataType::unsigned8, 0, false, true}};
 constexpr std::array consumer_heartbeat_entries{
     VariableRow{0, number_of_entries, DataType::unsigned8, 1},
     VariableRow{1, "Consumer Heartbeat Time", DataType::unsigned32},
@@ -158,6 +158,7 @@ Object object_of(const ObjectRow& row) {
         variable.name = from.name;
         variable.type = from.type;
         variable.default_value = {from.value, from.node_id_relative};
+        variable.run_time = from.run_time;
     }
     return object;
 }

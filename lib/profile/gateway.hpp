@@ -23,4 +23,9 @@ struct GatewayDocument {
 dictionary::Dictionary gateway_dictionary(const config::Configuration& configuration,
                                           const GatewayDocument& document);
 
+// D40: the dictionary of the EDS that the manual prints (chapter 10), faults mended, for a Gateway of which
+// nothing is known: the document has no title, author and configuration id. `created` is the date on which
+// cgw mended it.
+dictionary::Dictionary generic_gateway_dictionary(const GatewayDocument& document);
+
 }  // namespace cgw::profile

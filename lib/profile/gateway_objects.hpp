@@ -24,6 +24,7 @@ struct VariableRow {
     object::DataType type = object::DataType::unsigned8;
     std::uint32_t value = 0;
     bool node_id_relative = false;
+    bool run_time = false;
 };
 
 struct ObjectRow {

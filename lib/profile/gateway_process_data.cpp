@@ -44,7 +44,7 @@ constexpr std::array<std::string_view, 6> error_words{"Errors 0-15",  "Errors 16
                                                       "Errors 48-63", "Errors 64-79", "Errors 80-95"};
 constexpr std::array<std::string_view, 2> input_words{"Switch Functions", "Sensor Error Flags"};  // D25
 
-constexpr std::array canopen_errors{VariableRow{0, "CanOpen Errors", DataType::unsigned16}};
+constexpr std::array canopen_errors{VariableRow{0, "CanOpen Errors", DataType::unsigned16, 0, false, true}};
 constexpr ObjectRow canopen_errors_object{0x2005, "CanOpen Errors", ObjectCode::var, canopen_errors};
 
 // Entries 1, 2, … with these names.
@@ -61,6 +61,7 @@ Object process_object(const ProcessObjectRow& row, const std::vector<std::string
         entry.type = row.type;
         entry.access = row.access;
         entry.pdo_mapping = true;
+        entry.run_time = true;
     }
     return object;
 }

@@ -28,4 +28,31 @@ TEST(BuildArtefacts, have_the_names_that_are_listed) {
     EXPECT_EQ(std::unique(names.begin(), names.end()), names.end());
 }
 
+TEST(BuildArtefacts, carry_the_name_of_the_data_sheet) {
+    emit::Options options;
+    options.eds_name = "starboard.eds";
+    const std::vector<std::string> names = build_file_names(options);
+    EXPECT_EQ(std::count(names.begin(), names.end(), "starboard.eds"), 1);
+    EXPECT_EQ(std::count(names.begin(), names.end(), "starboard.dcf"), 1);
+    EXPECT_EQ(std::count(names.begin(), names.end(), "gateway-config.bin"), 1);
+    for (const std::string& name : names) {
+        EXPECT_EQ(name.find("CANopenGateway"), std::string::npos) << name;
+    }
+}
+
+TEST(BuildArtefacts, hold_the_name_that_their_file_has) {
+    const CheckedFile file = check_file(CGW_SAMPLES "/minimal.toml");
+    ASSERT_TRUE(file.valid());
+    const auto plant = Plant::make(file);
+    emit::Options options;
+    options.eds_name = "starboard.eds";
+    for (const Artefact& artefact : build_artefacts(plant->view(), options)) {
+        const std::string text(artefact.content.begin(), artefact.content.end());
+        if (artefact.file_name.starts_with("starboard") && text.starts_with("[FileInfo]")) {
+            EXPECT_NE(text.find("FileName=" + artefact.file_name + "\r\n"), std::string::npos)
+                << artefact.file_name;
+        }
+    }
+}
+
 }  // namespace cgw::driver

@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""The data sheet read by the standard library's configparser says the same as the JSON table.
+"""The data sheet read by the standard library's configparser says the same as the JSON table, and the device
+configuration file the same as the data sheet with the node number put in.
 
 Usage: agreement_test.py DIRECTORY; the directory holds one sub-directory of artefacts per sample.
 """
@@ -17,10 +18,15 @@ def number(text, node_id):
     return int(text, 0)
 
 
+def read(path):
+    parser = configparser.RawConfigParser(strict=True)
+    parser.optionxform = str
+    parser.read_string(path.read_bytes().decode("ascii"))
+    return parser
+
+
 def compare(directory):
-    eds = configparser.RawConfigParser(strict=True)
-    eds.optionxform = str
-    eds.read_string((directory / "CANopenGateway.eds").read_bytes().decode("ascii"))
+    eds = read(directory / "CANopenGateway.eds")
     table = json.loads((directory / "pdo-table.json").read_text(encoding="utf-8"))
     node_id = table["node_id"]
     if table["configuration_id"] not in eds["FileInfo"]["Description"]:
@@ -44,6 +50,27 @@ def compare(directory):
     return len(table["pdos"])
 
 
+def compare_configuration_file(directory):
+    """Every value of the data sheet is the file's default; parameter values equal the defaults."""
+    eds = read(directory / "CANopenGateway.eds")
+    dcf = read(directory / "CANopenGateway.dcf")
+    node_id = int(dcf["DeviceComissioning"]["NodeID"])
+    values = 0
+    for name in eds.sections():
+        if "DefaultValue" not in eds[name]:
+            continue
+        expected = number(eds[name]["DefaultValue"], node_id)
+        for key in ("DefaultValue", "ParameterValue"):
+            if key in dcf[name] and int(dcf[name][key], 0) != expected:
+                raise AssertionError(f"[{name}] {key} is {dcf[name][key]}, the data sheet's default {expected:X}h")
+        values += "ParameterValue" in dcf[name]
+    if set(dcf.sections()) != set(eds.sections()) | {"DeviceComissioning"}:
+        raise AssertionError("data sheet and configuration file have different objects")
+    if dcf["FileInfo"]["LastEDS"] != eds["FileInfo"]["FileName"]:
+        raise AssertionError("the configuration file names another data sheet")
+    return values
+
+
 def check(pdo, what, found, expected):
     if found != expected:
         raise AssertionError(f"{pdo['name']}: {what} is {found} in the data sheet, {expected} in the table")
@@ -57,7 +84,10 @@ def main():
         pdos = compare(sample)
         if pdos != 20:
             sys.exit(f"{sample.name}: {pdos} PDOs")
-        print(f"{sample.name}: data sheet and table agree on {pdos} PDOs")
+        values = compare_configuration_file(sample)
+        if values < 200:
+            sys.exit(f"{sample.name}: {values} parameter values in the configuration file")
+        print(f"{sample.name}: data sheet, table and configuration file agree on {pdos} PDOs, {values} values")
 
 
 if __name__ == "__main__":

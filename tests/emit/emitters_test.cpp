@@ -8,13 +8,13 @@
 namespace cgw::emit {
 
 TEST(Emitters, are_found_by_name) {
-    for (const std::string name : {"eds", "pdo-table", "image", "image-source"}) {
+    for (const std::string name : {"eds", "dcf", "dbc", "pdo-table", "image", "image-source"}) {
         ASSERT_NE(find_emitter(name), nullptr) << name;
         EXPECT_EQ(find_emitter(name)->name, name);
     }
     EXPECT_EQ(find_emitter("dbx"), nullptr);
     EXPECT_EQ(find_emitter(""), nullptr);
-    EXPECT_EQ(all_emitters().size(), 4U);
+    EXPECT_EQ(all_emitters().size(), 6U);
 }
 
 TEST(Emitters, have_a_summary_a_function_and_a_first_format) {
@@ -29,13 +29,14 @@ TEST(Emitters, name_the_files_that_build_writes) {
     std::set<std::string> names;
     for (const Emitter& emitter : all_emitters()) {
         for (const Format& format : emitter.formats) {
-            if (!format.file_name.empty()) {
-                EXPECT_TRUE(names.emplace(format.file_name).second) << format.file_name;
+            if (const std::string name = file_name(format, {}); !name.empty()) {
+                EXPECT_TRUE(names.insert(name).second) << name;
             }
         }
     }
-    EXPECT_EQ(names, (std::set<std::string>{"CANopenGateway.eds", "pdo-table.md", "pdo-table.csv",
-                                            "pdo-table.json", "gateway-config.bin"}));
+    EXPECT_EQ(names, (std::set<std::string>{"CANopenGateway.eds", "CANopenGateway.dcf", "CANopenGateway.dbc",
+                                            "pdo-table.md", "pdo-table.csv", "pdo-table.json",
+                                            "gateway-config.bin"}));
 }
 
 TEST(EmitterFormats, begin_with_the_default) {

@@ -20,16 +20,19 @@ struct SamplePlant {
         dictionary = profile::gateway_dictionary(configuration, document);
     }
 
+    emit::Plant view() const {
+        return {settings, catalogue, configuration, dictionary, {}, "0123456789abcdef", {0, 1, 0}, "0.1.0"};
+    }
+
     std::string emit(const std::string& name, const std::string& format) const {
-        const emit::Plant plant{settings,           configuration, dictionary, {},
-                                "0123456789abcdef", {0, 1, 0},     "0.1.0"};
         emit::Options options;
         options.format = format;
-        const base::Bytes bytes = emit::find_emitter(name)->emit(plant, options);
+        const base::Bytes bytes = emit::find_emitter(name)->emit(view(), options);
         return {bytes.begin(), bytes.end()};
     }
 
     parameter::Settings settings;
+    parameter::Catalogue catalogue{{}};
     config::Configuration configuration;
     dictionary::Dictionary dictionary;
 };

@@ -10,8 +10,9 @@ namespace cgw::test {
 namespace {
 
 std::string source_of(const SamplePlant& plant, const emit::Options& options = {}) {
-    const emit::Plant view{plant.settings,     plant.configuration, plant.dictionary, plant.configuration_id,
-                           "a0a1a2a3a4a5a6a7", {1, 2, 3},           "1.2.3"};
+    const parameter::Catalogue catalogue({});
+    const emit::Plant view{plant.settings,         catalogue,          plant.configuration, plant.dictionary,
+                           plant.configuration_id, "a0a1a2a3a4a5a6a7", {1, 2, 3},           "1.2.3"};
     const base::Bytes bytes = emit::find_emitter("image-source")->emit(view, options);
     return {bytes.begin(), bytes.end()};
 }

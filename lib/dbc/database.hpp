@@ -1,0 +1,63 @@
+// A CAN database (DBC) as plain data: nodes, messages and signals, printed for tools that decode a bus. It
+// knows the format and its limits, not what a message means.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace cgw::dbc {
+
+// Names everywhere: identifiers as names.hpp makes them. Texts may be any UTF-8; they are printed as ASCII.
+
+struct Node {
+    std::string name;
+    std::string comment;
+};
+
+struct NamedValue {
+    std::uint32_t value = 0;
+    std::string text;
+};
+
+// Little-endian, as everything in CANopen.
+struct Signal {
+    std::string name;        // unique in its message
+    unsigned start_bit = 0;  // of the least significant bit; bit 0 is the lowest of the first byte
+    unsigned length = 16;    // bits
+    bool is_signed = false;
+    double factor = 1;  // physical value = raw value * factor + offset
+    double offset = 0;
+    double minimum = 0;  // physical; both 0: not stated
+    double maximum = 0;
+    std::string unit;
+    std::string comment;
+    std::vector<NamedValue> values;
+};
+
+enum class SendType : std::uint8_t { cyclic, spontaneous, not_stated };
+
+struct Message {
+    std::uint16_t identifier = 0;  // 11 bits, unique in the database
+    std::string name;              // unique in the database
+    std::uint8_t length = 8;       // bytes
+    std::string sender;            // a node
+    std::string receiver;          // a node, of every signal
+    std::vector<Signal> signals;
+    std::string comment;
+    SendType send_type = SendType::not_stated;
+    std::optional<std::uint32_t> cycle_ms;  // 0..65535
+};
+
+struct Database {
+    std::string version;
+    std::string comment;
+    std::vector<Node> nodes;
+    std::vector<Message> messages;
+};
+
+// CRLF. Sections in the order that strict readers want; numbers as short as they read back the same.
+std::string print(const Database& database);
+
+}  // namespace cgw::dbc

@@ -1,0 +1,75 @@
+#include "dbc/names.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "dictionary/ascii.hpp"
+
+namespace cgw::dbc {
+namespace {
+
+constexpr std::string_view nameless = "Unnamed";
+
+// Keywords that do not end in an underscore; all others do, and no name of ours may.
+constexpr std::array<std::string_view, 7> keywords{"VERSION", "FILTER", "INT", "HEX",
+                                                   "FLOAT",   "STRING", "ENUM"};
+
+bool is_digit(char c) {
+    return c >= '0' && c <= '9';
+}
+bool is_letter(char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+}
+
+void strip_underscores(std::string& name) {
+    name.erase(name.find_last_not_of('_') + 1);
+}
+
+// Runs of other characters become one underscore.
+std::string joined_words(std::string_view ascii) {
+    std::string name;
+    for (const char c : ascii) {
+        if (is_letter(c) || is_digit(c) || c == '_') {
+            name += c;
+        } else if (!name.empty() && name.back() != '_') {
+            name += '_';
+        }
+    }
+    strip_underscores(name);
+    return name;
+}
+
+std::string lower(std::string text) {
+    std::transform(text.begin(), text.end(), text.begin(),
+                   [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+    return text;
+}
+
+}  // namespace
+
+std::string identifier(std::string_view utf8, std::string_view ending) {
+    std::string name = joined_words(dictionary::to_ascii(utf8));
+    if (name.empty()) {
+        name = nameless;
+    }
+    if (is_digit(name.front()) || std::find(keywords.begin(), keywords.end(), name) != keywords.end()) {
+        name.insert(0, "_");
+    }
+    name.resize(std::min(name.size(), longest_name - ending.size()));
+    strip_underscores(name);
+    return name.append(ending);
+}
+
+std::string Names::take(const std::string& wanted) {
+    std::string name = wanted;
+    for (int count = 2; std::find(taken_.begin(), taken_.end(), lower(name)) != taken_.end(); ++count) {
+        const std::string ending = fmt::format("_{}", count);
+        name = wanted.substr(0, longest_name - ending.size()) + ending;
+    }
+    taken_.push_back(lower(name));
+    return name;
+}
+
+}  // namespace cgw::dbc

@@ -1,0 +1,173 @@
+// The messages of the gateway: its active PDOs, and the services every CANopen node has.
+#include <fmt/format.h>
+
+#include "config/numbers.hpp"
+#include "dbc/names.hpp"
+#include "emit/dbc_parts.hpp"
+#include "emit/pdo_rows.hpp"
+
+namespace cgw::emit {
+namespace {
+
+using config::Direction;
+
+// CiA 301: identifiers of the services, without the node number.
+constexpr std::uint16_t nmt_identifier = 0x000;
+constexpr std::uint16_t sdo_request_base = 0x600;
+constexpr std::uint16_t sdo_answer_base = 0x580;
+constexpr std::uint16_t heartbeat_base = 0x700;
+
+dbc::Signal field(const std::string& name, unsigned start_bit, unsigned length) {
+    dbc::Signal signal;
+    signal.name = name;
+    signal.start_bit = start_bit;
+    signal.length = length;
+    signal.maximum = static_cast<double>((std::uint64_t{1} << length) - 1);
+    return signal;
+}
+
+std::string time_text(const config::Pdo& pdo) {
+    if (pdo.direction == Direction::receive) {
+        return pdo.time.cycles == 0 ? "not monitored"
+                                    : fmt::format("monitored: comes at least every {} ms",
+                                                  milliseconds(pdo.time.effective_us));
+    }
+    return pdo.time.cycles == 0 ? "sent when a bit changes"
+                                : fmt::format("sent every {} ms", milliseconds(pdo.time.effective_us));
+}
+
+dbc::Message pdo_message(const Plant& plant, const DbcNodes& nodes, const config::Pdo& pdo) {
+    const bool transmit = pdo.direction == Direction::transmit;
+    const std::string function = fmt::format("{}PDO{}", transmit ? 'T' : 'R', pdo.number);
+    dbc::Message message;
+    message.identifier = pdo.cob_id;
+    message.name = dbc_message_name(nodes, function);
+    message.length = pdo.length();
+    message.sender = transmit ? nodes.gateway : nodes.partner;
+    message.receiver = transmit ? nodes.partner : nodes.gateway;
+    const unsigned communication = (transmit ? 0x1800U : 0x1400U) + pdo.number - 1U;
+    message.comment = fmt::format("{} ({:04X}h, {:04X}h), {}", function, communication,
+                                  communication + 0x200U, time_text(pdo));
+    if (transmit) {
+        message.send_type = pdo.time.cycles == 0 ? dbc::SendType::spontaneous : dbc::SendType::cyclic;
+        if (pdo.time.cycles != 0) {
+            message.cycle_ms = pdo.time.effective_ms();
+        }
+    }
+    dbc::Names names;
+    unsigned first_bit = 0;
+    for (const config::MappedWord& word : pdo.mapping) {
+        for (dbc::Signal& signal : dbc_word_signals(plant, word, first_bit)) {
+            signal.name = names.take(signal.name);
+            message.signals.push_back(std::move(signal));
+        }
+        first_bit += config::word_bits;
+    }
+    return message;
+}
+
+dbc::Message nmt_message(const DbcNodes& nodes) {
+    dbc::Message message;
+    message.identifier = nmt_identifier;
+    message.name = "NMT";
+    message.length = 2;
+    message.sender = nodes.partner;
+    message.receiver = nodes.gateway;
+    message.comment = "network management command";
+    message.send_type = dbc::SendType::spontaneous;
+    message.signals = {field("Command", 0, 8), field("NodeID", 8, 8)};
+    message.signals[0].values = {{1, "start"},
+                                 {2, "stop"},
+                                 {128, "enter Pre-Operational"},
+                                 {129, "reset node"},
+                                 {130, "reset communication"}};
+    message.signals[1].comment = "0: all nodes";
+    return message;
+}
+
+dbc::Message sdo_message(const DbcNodes& nodes, const config::Configuration& configuration, bool request) {
+    dbc::Message message;
+    message.identifier =
+        static_cast<std::uint16_t>((request ? sdo_request_base : sdo_answer_base) + configuration.node_id);
+    message.name = dbc_message_name(nodes, request ? "SDO_Request" : "SDO_Answer");
+    message.sender = request ? nodes.partner : nodes.gateway;
+    message.receiver = request ? nodes.gateway : nodes.partner;
+    message.comment = request ? "access to the object dictionary" : "answer to an access, or its refusal";
+    message.send_type = dbc::SendType::spontaneous;
+    message.signals = {field("CommandSpecifier", 0, 8), field("Index", 8, 16), field("SubIndex", 24, 8),
+                       field("Data", 32, 32)};
+    return message;
+}
+
+dbc::Message heartbeat_message(const std::string& sender, const std::string& receiver, std::uint8_t node_id) {
+    dbc::Message message;
+    message.identifier = static_cast<std::uint16_t>(heartbeat_base + node_id);
+    message.name = sender + "_Heartbeat";
+    message.length = 1;
+    message.sender = sender;
+    message.receiver = receiver;
+    message.signals = {field("State", 0, 7)};
+    message.signals[0].values = {
+        {0, "boot-up"}, {4, "Stopped"}, {5, "Operational"}, {127, "Pre-Operational"}};
+    return message;
+}
+
+dbc::Message own_heartbeat(const DbcNodes& nodes, const config::Configuration& configuration) {
+    const config::CyclicTime& time = configuration.heartbeat_producer;
+    dbc::Message message = heartbeat_message(nodes.gateway, nodes.partner, configuration.node_id);
+    message.comment = "boot-up only, no heartbeat is set";
+    message.send_type = dbc::SendType::spontaneous;
+    if (time.cycles != 0) {
+        message.comment = fmt::format("boot-up, and heartbeat every {} ms", milliseconds(time.effective_us));
+        message.send_type = dbc::SendType::cyclic;
+        message.cycle_ms = time.effective_ms();
+    }
+    return message;
+}
+
+dbc::Message partner_heartbeat(const DbcNodes& nodes, const config::Configuration& configuration) {
+    const config::CyclicTime& time = configuration.heartbeat_consumer;
+    dbc::Message message = heartbeat_message(nodes.partner, nodes.gateway, configuration.partner_node_id);
+    message.comment = time.cycles == 0 ? "not monitored by the gateway"
+                                       : fmt::format("monitored by the gateway: comes at least every {} ms",
+                                                     milliseconds(time.effective_us));
+    return message;
+}
+
+}  // namespace
+
+DbcNodes dbc_nodes(const config::Configuration& configuration) {
+    return {
+        fmt::format("GW{}", configuration.node_id),
+        configuration.partner_node_id == 0 ? "Master" : fmt::format("Node{}", configuration.partner_node_id)};
+}
+
+std::string dbc_message_name(const DbcNodes& nodes, const std::string& function) {
+    return fmt::format("{}_{}", nodes.gateway, function);
+}
+
+std::vector<dbc::Message> dbc_pdo_messages(const Plant& plant, const DbcNodes& nodes) {
+    std::vector<dbc::Message> messages;
+    for (const config::Pdo& pdo : plant.configuration.pdos) {
+        if (pdo.active) {
+            messages.push_back(pdo_message(plant, nodes, pdo));
+        }
+    }
+    return messages;
+}
+
+std::vector<dbc::Message> dbc_service_messages(const Plant& plant, const DbcNodes& nodes) {
+    const config::Configuration& configuration = plant.configuration;
+    std::vector<dbc::Message> messages{
+        nmt_message(nodes),
+        sdo_message(nodes, configuration, true),
+        sdo_message(nodes, configuration, false),
+        own_heartbeat(nodes, configuration),
+    };
+    if (configuration.partner_node_id != 0) {
+        messages.push_back(partner_heartbeat(nodes, configuration));
+    }
+    return messages;
+}
+
+}  // namespace cgw::emit

@@ -1,0 +1,51 @@
+#include "eds/writer.hpp"
+#include "emit/artefacts.hpp"
+
+namespace cgw::emit {
+namespace {
+
+constexpr std::uint16_t identity = 0x1018;
+constexpr std::uint8_t serial_number_sub = 4;
+constexpr std::string_view bit_rate_not_known =
+    "Baudrate is left out: the bit timing is set by hand (4426 = 1), and nothing says which rate results";
+constexpr std::string_view identity_not_known =
+    "1018h:3 and 1018h:4 are 0 because the parameter file states no identity";
+
+// Whole kbit/s only: the key holds no others.
+std::optional<std::uint32_t> bit_rate_kbit(const Plant& plant) {
+    constexpr std::uint32_t bits_per_kbit = 1000;
+    const std::optional<std::uint32_t> rate =
+        config::bit_rate(plant.configuration.can2, plant.settings.can2_bit_timing);
+    if (!rate || *rate % bits_per_kbit != 0) {
+        return std::nullopt;
+    }
+    return *rate / bits_per_kbit;
+}
+
+bool states_identity(const parameter::Identity& identity_of_device) {
+    return identity_of_device.software_version != 0 || identity_of_device.serial_date != 0 ||
+           identity_of_device.serial_number != 0;
+}
+
+}  // namespace
+
+base::Bytes emit_dcf(const Plant& plant, const Options& options) {
+    dictionary::Dictionary dictionary = plant.dictionary;
+    dictionary.file.file_name = file_name(*find_format(*find_emitter("dcf"), ""), options);
+    eds::Commissioning node;
+    node.last_eds = options.eds_name;
+    node.node_id = plant.configuration.node_id;
+    node.node_name = plant.settings.title.empty() ? dictionary.device.product_name : plant.settings.title;
+    node.bit_rate_kbit = bit_rate_kbit(plant);
+    const dictionary::Variable* const serial = dictionary.find(identity, serial_number_sub);
+    node.serial_number = serial != nullptr ? serial->default_value.number : 0;
+    if (!node.bit_rate_kbit) {
+        dictionary.comments.emplace_back(bit_rate_not_known);
+    }
+    if (!states_identity(plant.configuration.identity)) {
+        dictionary.comments.emplace_back(identity_not_known);
+    }
+    return base::to_bytes(eds::write(dictionary, node));
+}
+
+}  // namespace cgw::emit
