@@ -8,6 +8,7 @@
 #include "cli/cgw/terminal.hpp"
 #include "cli/cgw/verbs.hpp"
 #include "driver/check_file.hpp"
+#include "driver/plant.hpp"
 
 namespace cgw::cli {
 namespace {
@@ -92,6 +93,7 @@ int run_check(const Arguments& arguments) {
     int exit_code = exit_fine;
     diagnostic::RenderInput input;
     input.color = use_color(arguments, stdout);
+    input.tool_version = driver::tool_version();
     for (const std::string& path : paths) {
         driver::CheckedFile file = driver::check_file(path);
         file.findings.hide(hidden);
@@ -99,7 +101,7 @@ int run_check(const Arguments& arguments) {
             file.findings.promote_warnings();
         }
         exit_code = worse(exit_code, exit_code_of(file));
-        input.files.push_back({path, file.findings.all()});
+        input.files.push_back({path, file.findings.all(), std::move(file.not_verified)});
         input.sources.merge(std::move(file.sources));
     }
     const diagnostic::Renderer* renderer = diagnostic::find_renderer(arguments.value("--format"));

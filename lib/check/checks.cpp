@@ -8,6 +8,7 @@ namespace {
 
 namespace rules = diagnostic::rules;
 
+// Errors first: warnings and notes stay silent about a value that an error covers.
 const Check table[] = {
     {&rules::hzm_node_mismatch, check_hzm_nodes},
     {&rules::hzm_bit_rate_mismatch, check_hzm_bit_rates},
@@ -24,6 +25,29 @@ const Check table[] = {
     {&rules::tpdo_parameter_unknown, check_known_outputs},
     {&rules::tpdo_parameter_bit, check_bit_outputs},
     {&rules::communication_off, check_communication},
+
+    {&rules::monitoring_early, check_early_monitoring},
+    {&rules::monitoring_short, check_short_monitoring},
+    {&rules::rpdo_unmonitored, check_unmonitored_rpdos},
+    {&rules::decimal_for_hexadecimal, check_decimal_literals},
+    {&rules::cob_id_restricted, check_restricted_identifiers},
+    {&rules::tpdo_empty, check_empty_tpdos},
+    {&rules::tpdo_unsent, check_unsent_tpdos},
+    {&rules::switch_without_bit, check_switches_without_bit},
+    {&rules::sensor_without_channel, check_sensors_without_channel},
+    {&rules::switch_bit_shared, check_shared_bits},
+    {&rules::sensor_channel_shared, check_shared_channels},
+    {&rules::rpdo_inactive_monitored, check_inactive_monitoring},
+    {&rules::start_up_delay_mismatch, check_start_up_delays},
+    {&rules::partner_unmonitored, check_partner_unmonitored},
+    {&rules::heartbeat_off, check_heartbeat},
+
+    {&rules::manual_misprint, check_misprints},
+    {&rules::time_quantised, check_quantised_times},
+    {&rules::tpdo_words_moved, check_closed_up_words},
+    {&rules::cob_id_unlisted_owner, check_unlisted_owners},
+    {&rules::cob_id_default_rpdo, check_default_rpdos},
+    {&rules::hzm_bit_rate_unverified, check_comparable_bit_rates},
 };
 
 }  // namespace

@@ -1,6 +1,8 @@
 // Both devices on the HEINZMANN CAN bus, CAN1 (manual 7.1.1, 7.2.1).
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "check/subjects.hpp"
 #include "check/support.hpp"
 #include "config/numbers.hpp"
@@ -126,6 +128,60 @@ void check_hzm_bit_rates(const Context& context) {
                          owned_label(context, Device::gateway, hzm_bit_rate), quantity(*of_gateway)),
          .where = of_governor->where,
          .related = {here(*of_gateway)}});
+}
+
+void check_start_up_delays(const Context& context) {
+    constexpr std::uint16_t number = governor::start_up_delay;  // 400 in both devices
+    static_assert(governor::start_up_delay == gateway::start_up_delay);
+    const Assignment* of_governor = usable(context, Device::governor, number);
+    const Assignment* of_gateway = usable(context, Device::gateway, number);
+    const bool known = (of_governor != nullptr || absent(context, Device::governor, number)) &&
+                       (of_gateway != nullptr || absent(context, Device::gateway, number));
+    const double governor_delay = of_governor != nullptr ? of_governor->value : 0;
+    const double gateway_delay = of_gateway != nullptr ? of_gateway->value : 0;
+    const auto& findings = context.findings.all();
+    const bool silent = std::any_of(findings.begin(), findings.end(), [](const auto& finding) {
+        return finding.rule == &rules::communication_off;  // then nobody misses anybody
+    });
+    if (!known || silent || governor_delay == gateway_delay) {
+        return;
+    }
+    const Assignment* place = of_governor != nullptr ? of_governor : of_gateway;
+    const auto text = [](const Assignment* assignment) {
+        return assignment != nullptr ? quantity(*assignment) : std::string("not set");
+    };
+    diagnostic::Diagnostic finding{
+        .rule = &rules::start_up_delay_mismatch,
+        .message = fmt::format("{} is {}, but {} is {}: one device expects the other before it is up "
+                               "(manual 7.1.1)",
+                               owned_label(context, Device::governor, number), text(of_governor),
+                               owned_label(context, Device::gateway, number), text(of_gateway)),
+        .where = place->where,
+        .help = fmt::format("write {} = {} in both tables", number, std::max(governor_delay, gateway_delay))};
+    if (place != of_gateway && of_gateway != nullptr) {
+        finding.related = {here(*of_gateway)};
+    }
+    context.findings.report(std::move(finding));
+}
+
+void check_comparable_bit_rates(const Context& context) {
+    const Assignment* of_governor = usable(context, Device::governor, governor::manual_timing);
+    const Assignment* of_gateway = usable(context, Device::gateway, hzm_manual_timing);
+    const auto is_on = [](const Assignment* manual) { return manual != nullptr && manual->value == 1; };
+    const Assignment* place = is_on(of_governor) ? of_governor : is_on(of_gateway) ? of_gateway : nullptr;
+    if (place == nullptr) {
+        return;
+    }
+    diagnostic::Diagnostic finding{
+        .rule = &rules::hzm_bit_rate_unverified,
+        .message = fmt::format("{} is 1, bit timing by hand: whether both devices have the same bit rate "
+                               "cannot be verified (manual 7.1.1)",
+                               owned_label(context, place->row->device, place->row->number)),
+        .where = place->where};
+    if (place != of_gateway && is_on(of_gateway)) {
+        finding.related = {here(*of_gateway)};
+    }
+    context.findings.report(std::move(finding));
 }
 
 void check_communication(const Context& context) {

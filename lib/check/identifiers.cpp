@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "check/identifiers.hpp"
 #include "check/subjects.hpp"
 #include "check/support.hpp"
 #include "config/numbers.hpp"
@@ -44,32 +45,11 @@ constexpr Reserved reserved_identifiers[] = {
     {0x700, gateway::partner_node_id, &Configuration::partner_node_id, "the partner's heartbeat"},
 };
 
-struct Owned {
-    std::uint16_t base;
-    std::string_view purpose;
-};
-
-// What another node sends, and where its SDO server listens.
-constexpr Owned owned_identifiers[] = {
-    {0x080, "its emergency messages"},
-    {0x180, "its TPDO1"},
-    {0x280, "its TPDO2"},
-    {0x380, "its TPDO3"},
-    {0x480, "its TPDO4"},
-    {0x580, "its SDO answers"},
-    {0x600, "SDO requests to it"},
-    {0x700, "its heartbeat"},
-};
-
-std::uint16_t identifier_parameter(const Pdo& pdo) {
-    return static_cast<std::uint16_t>(gateway::tpdo_identifier + (pdo.number - first_free_tpdo));
-}
-
 std::string pdo_name(const Pdo& pdo) {
     return fmt::format("{}PDO{}", pdo.direction == config::Direction::transmit ? 'T' : 'R', pdo.number);
 }
 
-// A free identifier from the pool, a different one for each TPDO.
+// From the free pool, a different one for each TPDO.
 std::string free_identifier_help(const Context& context, const Pdo& pdo) {
     constexpr std::uint16_t count = last_free - first_free + 1;
     const auto& pdos = context.configuration.pdos;
@@ -82,18 +62,6 @@ std::string free_identifier_help(const Context& context, const Pdo& pdo) {
         }
     }
     return {};
-}
-
-Diagnostic finding_at(const Context& context, const Pdo& pdo, const diagnostic::Rule& rule) {
-    const Assignment* assignment = usable(context, Device::gateway, identifier_parameter(pdo));
-    return {.rule = &rule,
-            .message = {},
-            .where = assignment != nullptr ? assignment->where : context.settings.gateway_table,
-            .help = free_identifier_help(context, pdo)};
-}
-
-std::string identifier_label(const Context& context, const Pdo& pdo) {
-    return label(context, Device::gateway, identifier_parameter(pdo));
 }
 
 std::optional<Diagnostic> judge_absent(const Context& context, const Pdo& pdo) {
@@ -162,32 +130,19 @@ std::optional<Diagnostic> judge_duplicate(const Context& context, const Pdo& pdo
     return finding;
 }
 
-std::optional<Diagnostic> judge_foreign(const Context& context, const Pdo& pdo) {
-    for (const parameter::NetworkNode& node : context.settings.network_nodes) {
-        const auto* const owned =
-            std::find_if(std::begin(owned_identifiers), std::end(owned_identifiers),
-                         [&](const Owned& row) { return pdo.cob_id == row.base + node.node_id; });
-        // The gateway's own node id in the list is another finding.
-        if (owned == std::end(owned_identifiers) || node.node_id == context.configuration.node_id) {
-            continue;
-        }
-        Diagnostic finding = finding_at(context, pdo, rules::cob_id_foreign);
-        finding.message =
-            fmt::format("{} is {}, which belongs to node {} for {}", identifier_label(context, pdo),
-                        identifier_text(pdo.cob_id), node.node_id, owned->purpose);
-        finding.related = {
-            {.where = node.where, .message = fmt::format("node {} is listed here", node.node_id)}};
-        return finding;
-    }
-    return std::nullopt;
-}
+// Errors first, notes last.
+constexpr std::optional<Diagnostic> (*judges[])(const Context&, const Pdo&) = {
+    judge_reserved,   judge_duplicate,      judge_foreign,
+    judge_restricted, judge_unlisted_owner, judge_default_rpdo,
+};
 
 std::optional<Diagnostic> judge(const Context& context, const Pdo& pdo) {
     if (usable(context, Device::gateway, identifier_parameter(pdo)) == nullptr) {
         return judge_absent(context, pdo);
     }
-    for (const auto& judge_one : {judge_reserved, judge_duplicate, judge_foreign}) {
-        if (std::optional<Diagnostic> finding = judge_one(context, pdo)) {
+    for (const auto& judge_one : judges) {
+        std::optional<Diagnostic> finding = judge_one(context, pdo);
+        if (finding) {
             return finding;
         }
     }
@@ -208,6 +163,27 @@ void report(const Context& context, const diagnostic::Rule& rule) {
 
 }  // namespace
 
+std::uint16_t identifier_parameter(const Pdo& pdo) {
+    return static_cast<std::uint16_t>(gateway::tpdo_identifier + (pdo.number - first_free_tpdo));
+}
+
+Diagnostic finding_at(const Context& context, const Pdo& pdo, const diagnostic::Rule& rule) {
+    const Assignment* assignment = usable(context, Device::gateway, identifier_parameter(pdo));
+    return {.rule = &rule,
+            .message = {},
+            .where = assignment != nullptr ? assignment->where : context.settings.gateway_table,
+            .help = free_identifier_help(context, pdo)};
+}
+
+std::string identifier_label(const Context& context, const Pdo& pdo) {
+    return label(context, Device::gateway, identifier_parameter(pdo));
+}
+
+bool is_in_doubt(const Context& context, const Pdo& pdo) {
+    const Assignment* assignment = usable(context, Device::gateway, identifier_parameter(pdo));
+    return assignment != nullptr && decimal_in_doubt(*assignment);
+}
+
 void check_reserved_identifiers(const Context& context) {
     report(context, rules::cob_id_reserved);
 }
@@ -216,6 +192,16 @@ void check_duplicate_identifiers(const Context& context) {
 }
 void check_foreign_identifiers(const Context& context) {
     report(context, rules::cob_id_foreign);
+}
+
+void check_restricted_identifiers(const Context& context) {
+    report(context, rules::cob_id_restricted);
+}
+void check_unlisted_owners(const Context& context) {
+    report(context, rules::cob_id_unlisted_owner);
+}
+void check_default_rpdos(const Context& context) {
+    report(context, rules::cob_id_default_rpdo);
 }
 
 }  // namespace cgw::check

@@ -81,4 +81,41 @@ void check_heartbeat_partner(const Context& context) {
     context.findings.report(std::move(finding));
 }
 
+void check_partner_unmonitored(const Context& context) {
+    const Assignment* partner = sound(context, Device::gateway, gateway::partner_node_id);
+    if (partner == nullptr || partner->value == 0 ||
+        !is_off(context, Device::gateway, gateway::heartbeat_consumer)) {
+        return;
+    }
+    diagnostic::Diagnostic finding{
+        .rule = &rules::partner_unmonitored,
+        .message =
+            fmt::format("{} is {}, but {} is {}: nobody notices when node {} fails (manual 7.2.3)",
+                        label(context, Device::gateway, gateway::partner_node_id), partner->value,
+                        label(context, Device::gateway, gateway::heartbeat_consumer),
+                        off_text(context, Device::gateway, gateway::heartbeat_consumer), partner->value),
+        .where = partner->where,
+        .help = fmt::format("write {} = a time of several heartbeats of node {}, in ms",
+                            gateway::heartbeat_consumer, partner->value)};
+    if (const Assignment* time = usable(context, Device::gateway, gateway::heartbeat_consumer)) {
+        finding.related = {here(*time)};
+    }
+    context.findings.report(std::move(finding));
+}
+
+void check_heartbeat(const Context& context) {
+    if (!is_off(context, Device::gateway, gateway::heartbeat_producer)) {
+        return;
+    }
+    context.findings.report(
+        {.rule = &rules::heartbeat_off,
+         .message = fmt::format("{} is {}: nobody on the CANopen bus notices when the gateway fails "
+                                "(manual 7.2.3)",
+                                label(context, Device::gateway, gateway::heartbeat_producer),
+                                off_text(context, Device::gateway, gateway::heartbeat_producer)),
+         .where = place_of(context, Device::gateway, gateway::heartbeat_producer),
+         .help = fmt::format("write {} = 1008 in [gateway.parameters] for a heartbeat every second",
+                             gateway::heartbeat_producer)});
+}
+
 }  // namespace cgw::check

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 
 #include "check/checks.hpp"
 
@@ -12,9 +13,21 @@ namespace cgw::check {
 // reported that).
 const parameter::Assignment* usable(const Context& context, parameter::Device device, std::uint16_t number);
 
+// usable(), and no error stands at the value: warnings and notes have nothing to add to an error.
+const parameter::Assignment* sound(const Context& context, parameter::Device device, std::uint16_t number);
+
 // True where a check may say that the parameter is absent: not set, not refused by the input, and its
 // table stands in the file.
 bool absent(const Context& context, parameter::Device device, std::uint16_t number);
+
+// True where a check may say that the parameter is 0, typed or by default.
+bool is_off(const Context& context, parameter::Device device, std::uint16_t number);
+
+// "0" or "not set", for a parameter that is off.
+std::string_view off_text(const Context& context, parameter::Device device, std::uint16_t number);
+
+// The value, or the header of its table when it is not set.
+const diagnostic::Location& place_of(const Context& context, parameter::Device device, std::uint16_t number);
 
 // The header [governor.parameters] or [gateway.parameters].
 const diagnostic::Location& table_of(const Context& context, parameter::Device device);
@@ -27,6 +40,13 @@ std::string owned_label(const Context& context, parameter::Device device, std::u
 
 // "100 ms", "250 kbit/s", "3"
 std::string quantity(const parameter::Assignment& assignment);
+
+// "93.75 ms"
+std::string milliseconds(std::uint64_t microseconds);
+
+// A decimal literal for a parameter that the manual prints in hexadecimal (D15), with two readings.
+// Defined with the check about it, in spelling.cpp.
+bool decimal_in_doubt(const parameter::Assignment& assignment);
 
 // "282h", as the manual prints identifiers
 std::string identifier_text(std::uint32_t identifier);

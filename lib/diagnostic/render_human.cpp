@@ -76,6 +76,14 @@ std::string summary(const FileReport& file) {
     return text + (file.findings.empty() ? ", no findings\n" : "\n");
 }
 
+void append_not_verified(std::string& text, const FileReport& file) {
+    std::string_view lead = "  not verified:\n";
+    for (const std::string& line : file.not_verified) {
+        text += fmt::format("{}  - {}\n", lead, base::printable(line));
+        lead = "";
+    }
+}
+
 }  // namespace
 
 std::string render_human(const RenderInput& input) {
@@ -86,6 +94,7 @@ std::string render_human(const RenderInput& input) {
             append_finding(text, finding, lines, input.color);
         }
         text += summary(file);
+        append_not_verified(text, file);
     }
     return text;
 }

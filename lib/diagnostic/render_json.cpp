@@ -56,6 +56,10 @@ std::string render_json(const RenderInput& input) {
         for (const Diagnostic& finding : file.findings) {
             write_finding(json, finding);
         }
+        json.end_array().key("not_verified").begin_array();
+        for (const std::string& line : file.not_verified) {
+            json.string(line);
+        }
         json.end_array().end_object();
     }
     json.end_array().end_object();

@@ -7,6 +7,8 @@ constexpr Renderer table[] = {
     {"human", "source line and caret for every finding, with a summary", render_human, false},
     {"concise", "one line per finding: path:line:column: level: message [code name]", render_concise, false},
     {"json", "one JSON document with every finding", render_json, true},
+    {"sarif", "one SARIF 2.1.0 document, for code scanning and editors", render_sarif, true},
+    {"github", "one workflow command per finding, for annotations in GitHub Actions", render_github, false},
 };
 
 }  // namespace

@@ -16,6 +16,7 @@ namespace cgw::diagnostic {
 struct FileReport {
     std::string path;
     std::vector<Diagnostic> findings;
+    std::vector<std::string> not_verified{};  // what no check can know, one line each
 };
 
 struct RenderInput {
@@ -23,13 +24,14 @@ struct RenderInput {
     // Text of every file a finding may point into (parameter files and catalogues), for the caret lines.
     std::map<std::string, std::string> sources;
     bool color = false;
+    std::string tool_version{};
 };
 
 struct Renderer {
     std::string_view name;
     std::string_view summary;
     std::string (*render)(const RenderInput&);
-    bool whole_document;  // json: the output is that document and nothing else
+    bool whole_document;  // json, sarif: the output is that document and nothing else
 };
 
 std::span<const Renderer> all_renderers();
@@ -38,5 +40,7 @@ const Renderer* find_renderer(std::string_view name);
 std::string render_human(const RenderInput& input);
 std::string render_concise(const RenderInput& input);
 std::string render_json(const RenderInput& input);
+std::string render_sarif(const RenderInput& input);
+std::string render_github(const RenderInput& input);
 
 }  // namespace cgw::diagnostic

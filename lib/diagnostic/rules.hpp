@@ -1,6 +1,7 @@
 // Every finding cgw can make, one row each. A code is never reused; a name never changes.
 // E00 file and TOML · E01 keys, parameters, values · E02 what makes the plant fail · E03 warnings · E04
-// notes · E05 tables read in and files copied. The rows stand in one source file per group; what explains, lists or documents findings reads them.
+// notes · E05 tables read in and files copied. The rows stand in one source file per group; what explains,
+// lists or documents findings reads them.
 #pragma once
 
 #include <span>
@@ -23,7 +24,7 @@ struct Rule {
     // The rule broken and kept: lines of a parameter file below their table headers, to be read on top of
     // a valid file. A line replaces the one with its key, `# 427 = 5` takes that one away, other lines are
     // added. Empty for the three rules that no printed text can break. Of the rules about printed tables
-    // (E0501 to E0508): whole tables.
+    // (E0501 to E0507): whole tables.
     std::string_view bad;
     std::string_view good;
 };
@@ -77,6 +78,31 @@ CGW_RULE(tpdo_parameter_unknown);
 CGW_RULE(tpdo_parameter_bit);
 CGW_RULE(communication_off);
 
+// E03: warnings, what works but hardly as it was meant
+CGW_RULE(monitoring_early);
+CGW_RULE(monitoring_short);
+CGW_RULE(rpdo_unmonitored);
+CGW_RULE(rpdo_inactive_monitored);
+CGW_RULE(decimal_for_hexadecimal);
+CGW_RULE(cob_id_restricted);
+CGW_RULE(tpdo_empty);
+CGW_RULE(tpdo_unsent);
+CGW_RULE(switch_without_bit);
+CGW_RULE(sensor_without_channel);
+CGW_RULE(switch_bit_shared);
+CGW_RULE(sensor_channel_shared);
+CGW_RULE(start_up_delay_mismatch);
+CGW_RULE(partner_unmonitored);
+CGW_RULE(heartbeat_off);
+
+// E04: notes, what the devices make of a setting
+CGW_RULE(manual_misprint);
+CGW_RULE(time_quantised);
+CGW_RULE(tpdo_words_moved);
+CGW_RULE(cob_id_unlisted_owner);
+CGW_RULE(cob_id_default_rpdo);
+CGW_RULE(hzm_bit_rate_unverified);
+
 // E05: printed tables read in, files copied
 CGW_RULE(table_row);
 CGW_RULE(table_value_ambiguous);
@@ -84,7 +110,6 @@ CGW_RULE(table_ellipsis);
 CGW_RULE(table_unit);
 CGW_RULE(table_of_other_device);
 CGW_RULE(table_empty);
-CGW_RULE(table_misprint);
 CGW_RULE(table_measurement);
 CGW_RULE(clone_identifier);
 

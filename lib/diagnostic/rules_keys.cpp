@@ -107,7 +107,8 @@ const Rule parameter_not_settable{
         "2000 = 1500                         # Speed\n",
     .good =
         "[governor.parameters]\n"
-        "16400 = 2000                        # TPDO4 word 1 carries Speed\n"};
+        "16400 = 2000                        # TPDO4 word 1 carries Speed\n"
+        "16460 = 125                         # ... every 125 ms\n"};
 const Rule parameter_duplicate{
     .code = "E0108",
     .name = "parameter-duplicate",
@@ -150,10 +151,10 @@ const Rule value_type{
         "where the device counts in whole numbers would be cut off.",
     .bad =
         "[governor.parameters]\n"
-        "16460 = 15.625\n",
+        "4406 = true                         # CanCommCMOn\n",
     .good =
         "[governor.parameters]\n"
-        "16460 = 16\n"};
+        "4406 = 1                            # CanCommCMOn\n"};
 const Rule value_range{
     .code = "E0111",
     .name = "value-range",

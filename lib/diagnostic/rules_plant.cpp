@@ -91,13 +91,13 @@ const Rule cob_id_reserved{
     .bad =
         "[governor.parameters]\n"
         "16404 = [2000]                      # TPDO5\n"
-        "16461 = 100\n"
+        "16461 = 125\n"
         "[gateway.parameters]\n"
         "16404 = 0x80                        # SYNC\n",
     .good =
         "[governor.parameters]\n"
         "16404 = [2000]                      # TPDO5\n"
-        "16461 = 100\n"
+        "16461 = 125\n"
         "[gateway.parameters]\n"
         "16404 = 0x680\n"};
 const Rule cob_id_duplicate{
@@ -113,14 +113,14 @@ const Rule cob_id_duplicate{
         "[governor.parameters]\n"
         "16404 = [2000]                      # TPDO5\n"
         "16408 = [2031]                      # TPDO6\n"
-        "16461 = [100, 100]\n"
+        "16461 = [125, 125]\n"
         "[gateway.parameters]\n"
         "16404 = [0x680, 0x680]\n",
     .good =
         "[governor.parameters]\n"
         "16404 = [2000]                      # TPDO5\n"
         "16408 = [2031]                      # TPDO6\n"
-        "16461 = [100, 100]\n"
+        "16461 = [125, 125]\n"
         "[gateway.parameters]\n"
         "16404 = [0x680, 0x681]\n"};
 const Rule cob_id_foreign{
@@ -135,7 +135,7 @@ const Rule cob_id_foreign{
     .bad =
         "[governor.parameters]\n"
         "16404 = [2000]                      # TPDO5\n"
-        "16461 = 100\n"
+        "16461 = 125\n"
         "[gateway.parameters]\n"
         "16404 = 0x182                       # node 2's TPDO1\n"
         "[network]\n"
@@ -143,7 +143,7 @@ const Rule cob_id_foreign{
     .good =
         "[governor.parameters]\n"
         "16404 = [2000]                      # TPDO5\n"
-        "16461 = 100\n"
+        "16461 = 125\n"
         "[gateway.parameters]\n"
         "16404 = 0x680\n"
         "[network]\n"

@@ -100,24 +100,8 @@ const Rule table_empty{
     .good =
         "Number;Parameter;Value;Unit\n"
         "401;CanMyNodeNumber;1;\n"};
-const Rule table_misprint{
-    .code = "E0507",
-    .name = "table-misprint",
-    .level = Level::note,
-    .summary =
-        "numbers and names are those of the parameter lists, not the misprints of the manual's examples",
-    .reference = "D2, D10",
-    .why =
-        "The manual's examples print two numbers and one name wrong. They are read as what they mean; the "
-        "written file has it right.",
-    .bad =
-        "Number;Parameter;Value;Unit\n"
-        "409;CanBaudrate;250;\n",
-    .good =
-        "Number;Parameter;Value;Unit\n"
-        "416;CanBaudrate;250;\n"};
 const Rule table_measurement{
-    .code = "E0508",
+    .code = "E0507",
     .name = "table-measurement",
     .level = Level::note,
     .summary = "rows of measurements are skipped: they show what was, and set nothing",
@@ -133,7 +117,7 @@ const Rule table_measurement{
         "Number;Parameter;Value;Unit\n"
         "401;CanMyNodeNumber;1;\n"};
 const Rule clone_identifier{
-    .code = "E0509",
+    .code = "E0508",
     .name = "clone-identifier",
     .level = Level::error,
     .summary = "a copy for the same CANopen network sends under identifiers of its own",

@@ -69,6 +69,34 @@ std::string_view SourceLines::line(const std::string& path, std::uint32_t number
     return line;
 }
 
+Range Utf16Columns::convert(const Location& where) {
+    const auto advance = [](std::string_view line, std::uint32_t from, std::uint32_t to,
+                            std::uint32_t units) {
+        for (std::size_t at = from - 1; at < line.size() && at + 1 < to;) {
+            const std::size_t length = base::utf8_sequence_length(line.substr(at));
+            units += length == 4 ? 2 : 1;
+            at += std::max<std::size_t>(length, 1);
+        }
+        // Behind the end of what is known a column is a column.
+        const auto known = static_cast<std::uint32_t>(line.size() + 1);
+        return units + (to > known ? to - std::max(known, from) : 0);
+    };
+    const auto& [start, end] = where.range;
+    const bool goes_on = where.path == path_ && start.line == bytes_.line && start.column >= bytes_.column;
+    if (!goes_on) {
+        path_ = where.path;
+        line_ = lines_.line(where.path, start.line);
+        bytes_ = {start.line, 1};
+        units_ = 1;
+    }
+    units_ = advance(line_, bytes_.column, start.column, units_);
+    bytes_.column = std::max(start.column, 1U);
+    Range range{{start.line, units_}, {end.line, 0}};
+    range.end.column = end.line == start.line ? advance(line_, bytes_.column, end.column, units_)
+                                              : advance(lines_.line(where.path, end.line), 1, end.column, 1);
+    return range;
+}
+
 std::string SourceLines::excerpt(const Location& where, char mark, std::string_view mark_start,
                                  std::string_view mark_end) {
     const Range& range = where.range;

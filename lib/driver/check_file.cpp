@@ -6,6 +6,7 @@
 #include "base/files.hpp"
 #include "catalogue/catalogue.hpp"
 #include "check/checks.hpp"
+#include "check/not_verified.hpp"
 #include "input/parameter_file.hpp"
 #include "toml/document.hpp"
 
@@ -63,7 +64,11 @@ CheckedFile check_text(const std::string& path, std::string text) {
     file.settings = std::move(read.file.settings);
     if (read.usable) {
         file.configuration = config::resolve(file.settings, *file.catalogue);
-        check::check({file.settings, *file.catalogue, file.configuration, file.findings});
+        const check::Context context{file.settings, *file.catalogue, file.configuration, file.findings};
+        check::check(context);
+        if (file.valid()) {
+            file.not_verified = check::not_verified(context);
+        }
     }
     file.findings.sort();
     return file;

@@ -20,6 +20,7 @@ struct CheckedFile {
     parameter::Settings settings;
     config::Configuration configuration;
     diagnostic::Findings findings;
+    std::vector<std::string> not_verified;       // what no check can know; empty when not valid()
     std::map<std::string, std::string> sources;  // by path: the file's text and its catalogues'
     std::vector<std::string> dependencies;       // paths read, the parameter file first
     bool complete = false;                       // settings hold all that the file says

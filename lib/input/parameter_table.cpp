@@ -138,7 +138,7 @@ class TableReader {
         const Row* by_name = row.name.text.empty() ? found : catalogue_.find(device_, row.name.text);
         const bool is_misprint = found->number != number || (by_name != found && !found->name.empty());
         if (is_misprint) {
-            report(rules::table_misprint, found->number != number ? row.number.range : row.name.range,
+            report(rules::manual_misprint, found->number != number ? row.number.range : row.name.range,
                    fmt::format("{} is a misprint of the manual, read as {}", spelling_of(row),
                                parameter::label(*found)));
         }

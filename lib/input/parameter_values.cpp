@@ -117,7 +117,7 @@ class ParameterReader {
         Assignment assignment;
         assignment.row = &row;
         assignment.value = value.real;
-        assignment.hexadecimal = value.kind == Kind::integer && value.notation == toml::Notation::hexadecimal;
+        assignment.decimal_typed = value.kind == Kind::integer && value.notation == toml::Notation::decimal;
         assignment.spelling = entry.key;
         assignment.key = context_.at(entry.key_range);
         assignment.where = context_.at(value.range);

@@ -18,9 +18,9 @@ namespace cgw::parameter {
 
 struct Assignment {
     const Row* row = nullptr;
-    double value = 0;          // engineering units, as typed
-    bool hexadecimal = false;  // typed as 0x…
-    std::string spelling{};    // the key as written
+    double value = 0;            // engineering units, as typed
+    bool decimal_typed = false;  // an integer without 0x, 0o or 0b (D15)
+    std::string spelling{};      // the key as written
     diagnostic::Location key{};
     diagnostic::Location where{};  // of the value
 };

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <string>
+#include <vector>
 
 #include "check/checks.hpp"
 #include "support/plant_builder.hpp"
@@ -31,6 +32,20 @@ inline std::string checked(PlantBuilder& plant) {
     diagnostic::Findings findings;
     const config::Configuration configuration = plant.resolve();
     check::check({plant.settings(), plant.catalogue(), configuration, findings});
+    findings.sort();
+    return findings_text(findings);
+}
+
+// The errors alone: a plant made for one error need not be complete otherwise.
+inline std::string errors_of(PlantBuilder& plant) {
+    diagnostic::Findings findings;
+    const config::Configuration configuration = plant.resolve();
+    check::check({plant.settings(), plant.catalogue(), configuration, findings});
+    std::vector<const diagnostic::Rule*> others;
+    for (const diagnostic::Rule* rule : diagnostic::all_rules()) {
+        others.push_back(rule);
+    }
+    findings.hide(others);
     findings.sort();
     return findings_text(findings);
 }

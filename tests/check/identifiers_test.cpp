@@ -6,7 +6,7 @@ namespace cgw::check {
 namespace {
 
 using parameter::Device;
-using test::checked;
+using test::errors_of;
 using test::PlantBuilder;
 
 // Activates TPDO `number` (5..16) with the identifier.
@@ -16,13 +16,16 @@ PlantBuilder& with_tpdo(PlantBuilder& plant, int number, double identifier) {
     return plant.gateway(static_cast<std::uint16_t>(16404 + number - 5), identifier);
 }
 
-// "E0205" or "E0205 E0206": the codes of all findings.
+// "E0205" or "E0205 E0206": the codes of all errors.
 std::string codes(PlantBuilder& plant) {
     diagnostic::Findings findings;
     check({plant.settings(), plant.catalogue(), plant.resolve(), findings});
     findings.sort();
     std::string text;
     for (const diagnostic::Diagnostic& finding : findings.all()) {
+        if (finding.level() != diagnostic::Level::error) {
+            continue;
+        }
         text += (text.empty() ? "" : " ") + std::string(finding.rule->code);
     }
     return text;
@@ -43,7 +46,7 @@ TEST(ReservedIdentifiers, are_those_of_7_3) {
 
 TEST(ReservedIdentifiers, name_their_purpose_and_where_the_node_id_comes_from) {
     PlantBuilder plant;
-    EXPECT_EQ(checked(with_tpdo(plant.minimal(), 6, 0x601)),
+    EXPECT_EQ(errors_of(with_tpdo(plant.minimal(), 6, 0x601)),
               "22:8 E0205 cob-id-reserved: 16405 CanOpTPDO5-16ID(1) is 601h, reserved for SDO requests to "
               "the gateway "
               "(manual 7.3)\n"
@@ -64,7 +67,7 @@ TEST(ReservedIdentifiers, do_not_matter_to_an_inactive_tpdo) {
 TEST(AbsentIdentifiers, are_missed_at_the_header_of_the_gateways_table) {
     PlantBuilder plant;
     with_tpdo(plant.minimal(), 16, 0x680).without(Device::gateway, 16415);
-    EXPECT_EQ(checked(plant),
+    EXPECT_EQ(errors_of(plant),
               "2:8 E0205 cob-id-reserved: TPDO16 is active, but 16415 CanOpTPDO5-16ID(11) is not set; "
               "without it the "
               "identifier is 000h, reserved for NMT commands (manual 7.3)\n"
@@ -80,7 +83,7 @@ TEST(AbsentIdentifiers, are_not_missed_when_their_value_is_refused_already) {
 
 TEST(DuplicateIdentifiers, are_reported_once_at_the_later_pdo) {
     PlantBuilder plant;
-    EXPECT_EQ(checked(with_tpdo(with_tpdo(plant.minimal(), 7, 0x690), 5, 0x690)),
+    EXPECT_EQ(errors_of(with_tpdo(with_tpdo(plant.minimal(), 7, 0x690), 5, 0x690)),
               "22:8 E0206 cob-id-duplicate: 16406 CanOpTPDO5-16ID(2) is 690h, which TPDO5 uses already "
               "(manual 7.3)\n"
               "  see 25:8: TPDO5 has 690h from the gateway's 16404 CanOpTPDO5-16ID(0) here\n"
@@ -90,7 +93,7 @@ TEST(DuplicateIdentifiers, are_reported_once_at_the_later_pdo) {
 TEST(DuplicateIdentifiers, include_the_predefined_ones_of_both_directions) {
     PlantBuilder transmit;
     transmit.minimal().governor(14401, 1);
-    EXPECT_EQ(checked(with_tpdo(transmit, 5, 0x281)),
+    EXPECT_EQ(errors_of(with_tpdo(transmit, 5, 0x281)),
               "23:8 E0206 cob-id-duplicate: 16404 CanOpTPDO5-16ID(0) is 281h, which TPDO2 uses already "
               "(manual 7.3)\n"
               "  see 18:8: TPDO2 has 281h from the gateway's 427 CanOpenMyNodeID here\n"
@@ -129,7 +132,7 @@ TEST(ForeignIdentifiers, are_those_a_listed_node_sends_or_is_asked_on) {
 TEST(ForeignIdentifiers, name_the_node_and_its_purpose) {
     PlantBuilder plant;
     EXPECT_EQ(
-        checked(with_tpdo(plant.minimal().network_node(2), 5, 0x282)),
+        errors_of(with_tpdo(plant.minimal().network_node(2), 5, 0x282)),
         "23:8 E0207 cob-id-foreign: 16404 CanOpTPDO5-16ID(0) is 282h, which belongs to node 2 for its TPDO2\n"
         "  see 20:8: node 2 is listed here\n"
         "  help: 0x680 is free: write 16404 = 0x680\n");
@@ -157,7 +160,7 @@ TEST(Identifiers, give_no_finding_while_the_node_id_is_missing) {
 TEST(Identifiers, suggest_one_that_nobody_has) {
     PlantBuilder plant;
     plant.minimal().gateway(16406, 0x680).gateway(16407, 0x681);
-    const std::string text = checked(with_tpdo(plant, 5, 0x080));
+    const std::string text = errors_of(with_tpdo(plant, 5, 0x080));
     EXPECT_NE(text.find("help: 0x682 is free: write 16404 = 0x682"), std::string::npos) << text;
 }
 

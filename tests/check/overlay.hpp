@@ -2,9 +2,12 @@
 #pragma once
 
 #include <algorithm>
+#include <filesystem>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "check/file_checker.hpp"
 
 namespace cgw::test {
 
@@ -71,6 +74,33 @@ inline std::string overlaid(std::string_view file, std::string_view fragment) {
         }
     }
     return text;
+}
+
+// A valid file without findings.
+inline constexpr std::string_view valid_file =
+    "format = 1\n"
+    "title = \"example\"\n"
+    "[governor]\n"
+    "[governor.parameters]\n"
+    "401 = 1\n"
+    "403 = 2\n"
+    "416 = 250\n"
+    "4406 = 1\n"
+    "[gateway]\n"
+    "[gateway.parameters]\n"
+    "401 = 2\n"
+    "402 = 1\n"
+    "416 = 250\n"
+    "4400 = 1\n"
+    "426 = 125\n"
+    "427 = 1\n"
+    "429 = 800\n";
+
+// Findings of the fragment on top of it. Its catalogues are those of the case catalogue-unreadable.
+inline diagnostic::Findings findings_with(std::string_view fragment) {
+    parameter::Catalogue catalogue(catalogue::shipped_rows());
+    const auto directory = std::filesystem::path(CGW_TEST_DATA) / "checks" / "catalogue-unreadable";
+    return check_text(overlaid(valid_file, fragment), "example.toml", directory, catalogue).findings;
 }
 
 }  // namespace cgw::test

@@ -3,9 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <filesystem>
 
-#include "check/file_checker.hpp"
 #include "check/findings_text.hpp"
 #include "check/overlay.hpp"
 
@@ -13,32 +11,6 @@ namespace cgw::check {
 namespace {
 
 using diagnostic::Rule;
-
-constexpr std::string_view valid_file =
-    "format = 1\n"
-    "title = \"example\"\n"
-    "[governor]\n"
-    "[governor.parameters]\n"
-    "401 = 1\n"
-    "403 = 2\n"
-    "416 = 250\n"
-    "4406 = 1\n"
-    "[gateway]\n"
-    "[gateway.parameters]\n"
-    "401 = 2\n"
-    "402 = 1\n"
-    "416 = 250\n"
-    "4400 = 1\n"
-    "426 = 125\n"
-    "427 = 1\n"
-    "429 = 800\n";
-
-diagnostic::Findings findings_with(std::string_view fragment) {
-    parameter::Catalogue catalogue(catalogue::shipped_rows());
-    const auto directory = std::filesystem::path(CGW_TEST_DATA) / "checks" / "catalogue-unreadable";
-    const std::string text = test::overlaid(valid_file, fragment);
-    return test::check_text(text, "example.toml", directory, catalogue).findings;
-}
 
 bool has(const diagnostic::Findings& findings, const Rule& rule) {
     return std::any_of(findings.all().begin(), findings.all().end(),
@@ -62,10 +34,10 @@ TEST_P(RuleExamples, show_the_rule_broken_and_kept) {
         EXPECT_EQ(rule.good, "");
         return;
     }
-    const diagnostic::Findings bad = findings_with(rule.bad);
+    const diagnostic::Findings bad = test::findings_with(rule.bad);
     EXPECT_TRUE(has(bad, rule)) << rule.bad << test::findings_text(bad);
     EXPECT_EQ(bad.all().size(), 1U) << rule.bad << test::findings_text(bad);
-    const diagnostic::Findings good = findings_with(rule.good);
+    const diagnostic::Findings good = test::findings_with(rule.good);
     EXPECT_EQ(test::findings_text(good), "") << rule.good;
     EXPECT_NE(rule.good, "") << rule.name;
 }
@@ -78,7 +50,7 @@ INSTANTIATE_TEST_SUITE_P(Rules, RuleExamples, testing::ValuesIn(diagnostic::all_
                          });
 
 TEST(RuleExampleFile, has_no_findings_itself) {
-    EXPECT_EQ(test::findings_text(findings_with("")), "");
+    EXPECT_EQ(test::findings_text(test::findings_with("")), "");
 }
 
 }  // namespace

@@ -99,9 +99,9 @@ TEST_P(ManualTables, of_the_governor_are_read_with_a_note_for_each_misprint) {
     }
     EXPECT_EQ(
         messages,
-        "E0507 409 CanBaudrate is a misprint of the manual, read as 416 CanBaudrate\n"
-        "E0507 4409 CanSegmentOrBaudrate is a misprint of the manual, read as 4416 CanSegmentOrBaudrate\n"
-        "E0507 4901 ChanType_Setp1Ext is a misprint of the manual, read as 4901 ChanType_Setp2Ext\n");
+        "E0401 409 CanBaudrate is a misprint of the manual, read as 416 CanBaudrate\n"
+        "E0401 4409 CanSegmentOrBaudrate is a misprint of the manual, read as 4416 CanSegmentOrBaudrate\n"
+        "E0401 4901 ChanType_Setp1Ext is a misprint of the manual, read as 4901 ChanType_Setp2Ext\n");
 }
 
 TEST_P(ManualTables, of_the_gateway_are_read_without_their_measurements) {

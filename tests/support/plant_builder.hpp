@@ -54,6 +54,7 @@ class PlantBuilder {
     // What every plant needs, so that it has no finding.
     PlantBuilder& minimal() {
         governor(401, 1).governor(403, 2).governor(416, 250).governor(4406, 1);
+        assign_at(parameter::Device::gateway, 429, 800, 3);
         return gateway(401, 2).gateway(402, 1).gateway(416, 250).gateway(426, 125).gateway(427, 1).gateway(
             4400, 1);
     }
@@ -82,11 +83,16 @@ class PlantBuilder {
     }
 
     PlantBuilder& assign(parameter::Device device, std::uint16_t number, double value) {
+        return assign_at(device, number, value, ++line_);
+    }
+
+    PlantBuilder& assign_at(parameter::Device device, std::uint16_t number, double value,
+                            std::uint32_t line) {
         remove(device, number);
         parameter::Assignment assignment;
         assignment.row = catalogue_.find(device, number);
         assignment.value = value;
-        assignment.where = place(++line_);
+        assignment.where = place(line);
         set_of(device).assign(std::move(assignment));
         return *this;
     }

@@ -1,0 +1,192 @@
+// Who is watched, and how closely: RPDOs by the governor (manual 7.1.5), the partner by the gateway (7.2.3).
+#include "check/monitoring.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+#include "check/subjects.hpp"
+#include "check/support.hpp"
+#include "config/numbers.hpp"
+
+namespace cgw::check {
+
+namespace {
+
+using parameter::Assignment;
+using parameter::Device;
+namespace governor = config::governor;
+namespace gateway = config::gateway;
+namespace rules = diagnostic::rules;
+
+std::uint16_t monitoring_parameter(const config::Pdo& pdo) {
+    return static_cast<std::uint16_t>(governor::rpdo_monitoring + pdo.number - 1);
+}
+
+// The smallest whole ms that becomes at least so many main cycles.
+std::uint64_t milliseconds_for(std::uint64_t cycles, std::uint32_t main_cycle_us) {
+    return (cycles * main_cycle_us + 999) / 1000;
+}
+
+std::string help_for_early(const Watch& watch) {
+    const std::uint64_t asked_us = std::uint64_t{watch.time.asked_ms} * 1000;
+    const std::uint64_t cycles = (asked_us + watch.main_cycle_us - 1) / watch.main_cycle_us;
+    if (cycles > watch.most_cycles) {
+        return fmt::format("no longer time is possible: let the sender send more often than every {}",
+                           milliseconds(watch.time.effective_us));
+    }
+    const std::uint64_t next_ms = milliseconds_for(cycles, watch.main_cycle_us);
+    const std::uint64_t effective_us = cycles * watch.main_cycle_us;
+    return fmt::format("{} ms is the next time that works: {} main cycles{}", next_ms, cycles,
+                       effective_us == next_ms * 1000 ? "" : ", " + milliseconds(effective_us));
+}
+
+// The first switch or sensor that the RPDO carries.
+const Assignment* first_input(const Context& context, int rpdo) {
+    const config::Configuration& configuration = context.configuration;
+    if (rpdo == 1 && !configuration.switches.empty()) {
+        return usable(context, Device::governor, configuration.switches.front().row->number);
+    }
+    for (const config::Sensor& sensor : configuration.sensors) {
+        if (rpdo == 1 || (sensor.channel - 1) / config::words_per_pdo + 2 == rpdo) {
+            return usable(context, Device::governor, sensor.row->number);
+        }
+    }
+    return nullptr;
+}
+
+// True when something else that is reported already keeps the RPDO inactive.
+bool inputs_in_doubt(const Context& context) {
+    for (const auto& [first, last] : {std::pair{governor::engine_stop, governor::last_switch},
+                                      std::pair{governor::first_sensor, governor::last_sensor}}) {
+        for (std::uint16_t number = first; number <= last; ++number) {
+            const auto type = static_cast<std::uint16_t>(number + governor::type_offset);
+            if (context.settings.governor.rejected(number) || context.settings.governor.rejected(type)) {
+                return true;
+            }
+        }
+    }
+    const diagnostic::Rule* const about_inputs[] = {
+        &rules::switch_bit_range,       &rules::sensor_channel_range,  &rules::switch_without_bit,
+        &rules::sensor_without_channel, &rules::sensor_channel_shared, &rules::engine_stop_over_canopen,
+    };
+    const auto& findings = context.findings.all();
+    return std::any_of(findings.begin(), findings.end(), [&](const diagnostic::Diagnostic& finding) {
+        return std::find(std::begin(about_inputs), std::end(about_inputs), finding.rule) !=
+               std::end(about_inputs);
+    });
+}
+
+}  // namespace
+
+std::vector<Watch> watches(const Context& context) {
+    const config::Configuration& configuration = context.configuration;
+    std::vector<Watch> all;
+    for (int number = 1; number <= config::rpdo_count; ++number) {
+        const config::Pdo& pdo = configuration.rpdo(number);
+        all.push_back({.device = Device::governor,
+                       .number = monitoring_parameter(pdo),
+                       .time = pdo.time,
+                       .main_cycle_us = configuration.main_cycle_us,
+                       .most_cycles = config::maximum_governor_cycles,
+                       .watched = fmt::format("RPDO{}", number),
+                       .active = pdo.active,
+                       .section = "7.1.5"});
+    }
+    all.push_back({.device = Device::gateway,
+                   .number = gateway::heartbeat_consumer,
+                   .time = configuration.heartbeat_consumer,
+                   .main_cycle_us = config::gateway_main_cycle_us,
+                   .most_cycles = config::maximum_heartbeat_cycles,
+                   .watched = fmt::format("the heartbeat of node {}", configuration.partner_node_id),
+                   .active = configuration.partner_node_id != 0,
+                   .section = "7.2.3"});
+    return all;
+}
+
+void check_early_monitoring(const Context& context) {
+    for (const Watch& watch : watches(context)) {
+        const Assignment* assignment = sound(context, watch.device, watch.number);
+        if (assignment == nullptr || !watch.active || watch.is_short() || !watch.trips_early()) {
+            continue;
+        }
+        context.findings.report(
+            {.rule = &rules::monitoring_early,
+             .message =
+                 fmt::format("{} is {} ms, but {} is missed after {} already: a sender that keeps to "
+                             "{} ms trips it (manual {})",
+                             label(context, watch.device, watch.number), watch.time.asked_ms, watch.watched,
+                             milliseconds(watch.time.effective_us), watch.time.asked_ms, watch.section),
+             .where = assignment->where,
+             .help = help_for_early(watch)});
+    }
+}
+
+void check_short_monitoring(const Context& context) {
+    for (const Watch& watch : watches(context)) {
+        const Assignment* assignment = sound(context, watch.device, watch.number);
+        if (assignment == nullptr || !watch.active || !watch.is_short()) {
+            continue;
+        }
+        context.findings.report(
+            {.rule = &rules::monitoring_short,
+             .message =
+                 fmt::format("{} is {} ms, a single main cycle of {}: {} is missed as soon as it has to "
+                             "wait for the bus (manual {})",
+                             label(context, watch.device, watch.number), watch.time.asked_ms,
+                             milliseconds(watch.time.effective_us), watch.watched, watch.section),
+             .where = assignment->where,
+             .help = fmt::format("the shortest time of two main cycles is {} ms; several times the sender's "
+                                 "cycle is better",
+                                 milliseconds_for(2, watch.main_cycle_us))});
+    }
+}
+
+void check_unmonitored_rpdos(const Context& context) {
+    for (const Watch& watch : watches(context)) {
+        if (watch.device != Device::governor || !watch.active ||
+            !is_off(context, watch.device, watch.number)) {
+            continue;
+        }
+        const Assignment* typed = usable(context, watch.device, watch.number);
+        const Assignment* input = first_input(context, watch.number - governor::rpdo_monitoring + 1);
+        const Assignment* place = typed != nullptr ? typed : input;
+        context.findings.report(
+            {.rule = &rules::rpdo_unmonitored,
+             .message =
+                 fmt::format("{} is not monitored, {} is {}: when its sender fails, the governor goes on "
+                             "with the last values (manual 7.1.5)",
+                             watch.watched, label(context, watch.device, watch.number),
+                             off_text(context, watch.device, watch.number)),
+             .where = place != nullptr ? place->where : table_of(context, watch.device),
+             .help = fmt::format("write {} = a time of several cycles of the sender, in ms", watch.number)});
+    }
+}
+
+void check_inactive_monitoring(const Context& context) {
+    for (const Watch& watch : watches(context)) {
+        const Assignment* assignment = sound(context, watch.device, watch.number);
+        if (watch.device != Device::governor || watch.active || assignment == nullptr ||
+            assignment->value == 0 || inputs_in_doubt(context)) {
+            continue;
+        }
+        const int rpdo = watch.number - governor::rpdo_monitoring + 1;
+        const int last_channel = (rpdo - 1) * config::words_per_pdo;
+        context.findings.report(
+            {.rule = &rules::rpdo_inactive_monitored,
+             .message = rpdo == 1
+                            ? fmt::format("{} is {} ms, but RPDO1 is not active: no switch function and no "
+                                          "sensor comes over CANopen (manual 7.1.5)",
+                                          label(context, watch.device, watch.number), watch.time.asked_ms)
+                            : fmt::format("{} is {} ms, but RPDO{} is not active: no sensor uses one of its "
+                                          "channels {} to {} (manual 7.1.5)",
+                                          label(context, watch.device, watch.number), watch.time.asked_ms,
+                                          rpdo, last_channel - config::words_per_pdo + 1, last_channel),
+             .where = assignment->where,
+             .help = fmt::format("write {} = 0, or assign what the RPDO carries", watch.number)});
+    }
+}
+
+}  // namespace cgw::check
