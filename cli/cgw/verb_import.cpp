@@ -46,7 +46,7 @@ int run_import_table(const Arguments& arguments) {
     const parameter::Catalogue catalogue(catalogue::shipped_rows());
     const driver::ReadTables tables = driver::read_tables(paths, catalogue);
     const bool color = use_color(arguments, stderr);
-    report_findings({tables.reports, tables.sources, color});
+    report_findings({tables.reports, tables.sources, color, {}});
     if (!tables.valid()) {
         return tables.unreadable ? exit_environment : exit_findings;
     }

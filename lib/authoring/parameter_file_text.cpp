@@ -66,9 +66,7 @@ std::string remark(std::span<const WrittenValue> values, const parameter::Catalo
 std::string assignment_text(std::span<const WrittenValue> values, const parameter::Catalogue& catalogue) {
     const Row& row = *values.front().row;
     const std::string first =
-        values.size() == 1
-            ? ""
-            : fmt::format("{}..{}; the first: ", row.number, values.back().row->number);
+        values.size() == 1 ? "" : fmt::format("{}..{}; the first: ", row.number, values.back().row->number);
     std::string text = row.text.empty() ? "" : fmt::format("# {}{}\n", first, row.text);
     if (values.size() == 1) {
         text += fmt::format("{} = {}", key(row), values.front().literal);

@@ -58,6 +58,31 @@ ReadTables read_tables(const TablePaths& paths, const parameter::Catalogue& cata
     return tables;
 }
 
+TableSide side_of_tables(const CheckedFile& file, const ReadTables& tables) {
+    TableSide side;
+    side.settings = file.settings;
+    for (const Device device : {Device::governor, Device::gateway}) {
+        const input::PrintedTable& table = device == Device::governor ? tables.governor : tables.gateway;
+        parameter::ParameterSet set;
+        for (const auto& [number, value] : table.values) {
+            parameter::Assignment assignment;
+            assignment.row = value.row;
+            assignment.value = value.value;
+            assignment.where = value.where;
+            set.assign(std::move(assignment));
+        }
+        for (const auto& [number, assignment] : file.settings.of(device).all()) {
+            const bool is_absent = set.assign(assignment);
+            if (is_absent && assignment.value != 0) {
+                side.absent.push_back({assignment.row, assignment.value, 0});
+            }
+        }
+        (device == Device::governor ? side.settings.governor : side.settings.gateway) = std::move(set);
+    }
+    side.configuration = config::resolve(side.settings, *file.catalogue);
+    return side;
+}
+
 std::string text_of_tables(const ReadTables& tables, const TablePaths& paths, const std::string& title,
                            const parameter::Catalogue& catalogue) {
     authoring::Draft draft;

@@ -5,7 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "compare/compare.hpp"
 #include "diagnostic/renderers.hpp"
+#include "driver/check_file.hpp"
 #include "input/parameter_table.hpp"
 
 namespace cgw::driver {
@@ -27,6 +29,17 @@ struct ReadTables {
 };
 
 ReadTables read_tables(const TablePaths& paths, const parameter::Catalogue& catalogue);
+
+// The plant of a parameter file with the tables' values in it. What the tables do not print stays as in the
+// file; `absent` is what of that is not 0.
+struct TableSide {
+    parameter::Settings settings;
+    config::Configuration configuration;
+    std::vector<compare::ParameterDifference> absent;
+};
+
+// The file must outlive the result.
+TableSide side_of_tables(const CheckedFile& file, const ReadTables& tables);
 
 // A parameter file with the values of both tables.
 std::string text_of_tables(const ReadTables& tables, const TablePaths& paths, const std::string& title,
