@@ -58,7 +58,8 @@ void compare_input_maps(std::string_view kind, const Inputs& a, const Inputs& b,
         return found != inputs.end() ? found->second.second : "not over CANopen";
     };
     for (const auto& [number, input] : all) {
-        note(differences, kind, input.first, meaning(a, number), meaning(b, number));
+        note(differences, kind, fmt::format("{} {}", kind, input.first), meaning(a, number),
+             meaning(b, number));
     }
 }
 

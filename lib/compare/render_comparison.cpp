@@ -10,7 +10,7 @@ namespace {
 
 constexpr int format_version = 1;
 constexpr std::size_t line_width = 80;
-constexpr std::size_t subject_width = 42;
+constexpr std::size_t subject_width = 36;
 
 std::string value_text(const parameter::Row& row, double value) {
     return row.base == parameter::Base::hexadecimal && value >= 0

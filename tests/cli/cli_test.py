@@ -13,8 +13,8 @@ import jsonschema
 CGW = os.environ["CGW"]
 SAMPLES = pathlib.Path(os.environ["CGW_SAMPLES"])
 GENSET = str(SAMPLES / "genset.toml")
-ARTEFACTS = ["CANopenGateway.dbc", "CANopenGateway.dcf", "CANopenGateway.eds", "gateway-config.bin",
-             "pdo-table.csv", "pdo-table.json", "pdo-table.md"]
+ARTEFACTS = ["CANopenGateway.dbc", "CANopenGateway.dcf", "CANopenGateway.eds", "entry-sheet.csv",
+             "entry-sheet.html", "entry-sheet.md", "gateway-config.bin", "pdo-table.csv", "pdo-table.json", "pdo-table.md"]
 
 
 def cgw(*arguments, stdin=None, stdout=subprocess.PIPE, **environment):
