@@ -13,9 +13,9 @@
 namespace cgw::authoring {
 
 struct CloneRequest {
-    std::uint8_t node_id = 0;          // 1..127
-    std::optional<std::string> title;  // nullopt: as it is
-    bool keep_identifiers = false;     // the copy is for another CANopen network
+    std::uint8_t node_id = 0;            // 1..127
+    std::optional<std::string> title{};  // nullopt: as it is
+    bool keep_identifiers = false;       // the copy is for another CANopen network
 };
 
 // Replaces 427, the title, and identifiers of TPDO5..16 of the form base + node id (D30). Another identifier

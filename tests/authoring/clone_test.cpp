@@ -86,7 +86,7 @@ TEST(Clone, leaves_identifiers_of_inactive_tpdos_that_do_not_follow_the_node_id)
 TEST(Clone, refuses_an_identifier_that_both_gateways_would_send) {
     EXPECT_EQ(
         clone(file("format = 1", tpdo5, "427 = 5\n16404 = 0x6A0"), {.node_id = 6}),
-        "E0508 15:9 TPDO5 would be sent under 6A0h by both gateways; 16404 CanOpTPDO5-16ID(0) is not of the "
+        "E0508 16:9 TPDO5 would be sent under 6A0h by both gateways; 16404 CanOpTPDO5-16ID(0) is not of the "
         "form base + node id 5\n");
 }
 

@@ -44,7 +44,8 @@ TEST_F(ParameterFileText, names_parameters_with_text_and_unit) {
 
 TEST_F(ParameterFileText, writes_a_list_only_for_a_short_array_that_is_whole) {
     Draft draft;
-    for (const std::uint16_t number : {16400, 16401, 16402, 16403, 16404, 16405, 16460, 16461}) {
+    const std::vector<std::uint16_t> numbers = {16400, 16401, 16402, 16403, 16404, 16405, 16460, 16461};
+    for (const std::uint16_t number : numbers) {
         draft.governor.push_back(value(Device::governor, number, number == 16401 ? "2031" : "0"));
     }
     const std::string written = text(draft);
