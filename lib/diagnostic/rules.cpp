@@ -79,6 +79,14 @@ const Rule* const table[] = {
     &cob_id_unlisted_owner,
     &cob_id_default_rpdo,
     &hzm_bit_rate_unverified,
+    &table_row,
+    &table_value_ambiguous,
+    &table_ellipsis,
+    &table_unit,
+    &table_of_other_device,
+    &table_empty,
+    &table_measurement,
+    &clone_identifier,
 };
 
 }  // namespace

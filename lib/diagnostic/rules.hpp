@@ -1,6 +1,7 @@
 // Every finding cgw can make, one row each. A code is never reused; a name never changes.
 // E00 file and TOML · E01 keys, parameters, values · E02 what makes the plant fail · E03 warnings · E04
-// notes. The rows stand in one source file per group; what explains, lists or documents findings reads them.
+// notes · E05 tables read in and files copied. The rows stand in one source file per group; what explains,
+// lists or documents findings reads them.
 #pragma once
 
 #include <span>
@@ -22,7 +23,8 @@ struct Rule {
 
     // The rule broken and kept: lines of a parameter file below their table headers, to be read on top of
     // a valid file. A line replaces the one with its key, `# 427 = 5` takes that one away, other lines are
-    // added. Empty for the three rules that no printed text can break.
+    // added. Empty for the three rules that no printed text can break. Of the rules about printed tables
+    // (E0501 to E0507): whole tables.
     std::string_view bad;
     std::string_view good;
 };
@@ -100,6 +102,16 @@ CGW_RULE(tpdo_words_moved);
 CGW_RULE(cob_id_unlisted_owner);
 CGW_RULE(cob_id_default_rpdo);
 CGW_RULE(hzm_bit_rate_unverified);
+
+// E05: printed tables read in, files copied
+CGW_RULE(table_row);
+CGW_RULE(table_value_ambiguous);
+CGW_RULE(table_ellipsis);
+CGW_RULE(table_unit);
+CGW_RULE(table_of_other_device);
+CGW_RULE(table_empty);
+CGW_RULE(table_measurement);
+CGW_RULE(clone_identifier);
 
 #undef CGW_RULE
 

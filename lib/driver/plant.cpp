@@ -33,6 +33,10 @@ base::Result<emit::Origin> origin() {
     return emit::Origin{*date, tool_version()};
 }
 
+std::string short_configuration_id(const parameter::Settings& settings) {
+    return short_id(parameter::configuration_id(settings));
+}
+
 base::Result<Plant> Plant::make(const CheckedFile& file) {
     const parameter::Settings& settings = file.settings;
     base::Result<parameter::Date> date =

@@ -5,6 +5,7 @@
 
 #include "base/json.hpp"
 #include "emit/pdo_rows.hpp"
+#include "emit/text_cells.hpp"
 
 namespace cgw::emit {
 namespace {
@@ -76,29 +77,6 @@ void pdo_json(base::JsonWriter& json, const PdoRow& row) {
     json.end_object();
 }
 
-// Spreadsheets run a cell that begins like this as a formula, wherever the text came from.
-bool looks_like_formula(std::string_view text) {
-    constexpr std::string_view starters = "=+-@\t\r";
-    return !text.empty() && starters.find(text.front()) != std::string_view::npos;
-}
-
-// RFC 4180, section 2, for a text that the user wrote.
-std::string csv_text(std::string_view text) {
-    std::string field = looks_like_formula(text) ? "'" : "";
-    field += text;
-    if (field.find_first_of(",\"\r\n") == std::string::npos) {
-        return field;
-    }
-    std::string quoted = "\"";
-    for (const char c : field) {
-        quoted += c;
-        if (c == '"') {
-            quoted += c;
-        }
-    }
-    return quoted + '"';
-}
-
 std::string carried_text(const WordRow& word) {
     std::string text;
     for (const Carried& carried : word.carried) {
@@ -115,8 +93,8 @@ void csv_line(std::string& text, const PdoTable& table, const PdoRow& row, const
                         pdo.time.asked_ms, pdo.time.effective_us);
     text += fmt::format("{},0x{:04X},{},{},{},{},{},", word.position, word.index, word.sub_index,
                         config::word_bits, word.parameter ? fmt::format("{}", *word.parameter) : "",
-                        csv_text(word.name), csv_text(carried_text(word)));
-    text += fmt::format("{},{},{}\n", table.node_id, table.configuration_id, csv_text(table.title));
+                        csv_field(word.name), csv_field(carried_text(word)));
+    text += fmt::format("{},{},{}\n", table.node_id, table.configuration_id, csv_field(table.title));
 }
 
 }  // namespace

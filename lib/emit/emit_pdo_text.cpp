@@ -4,6 +4,7 @@
 
 #include "config/numbers.hpp"
 #include "emit/pdo_rows.hpp"
+#include "emit/text_cells.hpp"
 
 namespace cgw::emit {
 namespace {
@@ -61,19 +62,6 @@ void text_row(std::string& text, const PdoRow& row) {
     }
 }
 
-// What Markdown would take for markup, and '|', which ends a cell.
-std::string escaped(std::string_view text) {
-    constexpr std::string_view special = "\\`*_[]<>#&|~";
-    std::string markdown;
-    for (const char c : one_line(text)) {
-        if (special.find(c) != std::string_view::npos) {
-            markdown += '\\';
-        }
-        markdown += c;
-    }
-    return markdown;
-}
-
 void markdown_row(std::string& text, const PdoRow& row) {
     const config::Pdo& pdo = *row.pdo;
     const std::string head = fmt::format("| {} | {} |", row.name, identifier_text(pdo));
@@ -83,9 +71,9 @@ void markdown_row(std::string& text, const PdoRow& row) {
     }
     std::string cells = fmt::format("{} {} | {} |", head, pdo.length(), cycle_text(pdo));
     for (const WordRow& word : row.words) {
-        std::string contents = escaped(word.label);
+        std::string contents = markdown_cell(word.label);
         for (const Carried& carried : listed_below(word)) {
-            contents += "<br>" + escaped(describe(word.kind, carried));
+            contents += "<br>" + markdown_cell(describe(word.kind, carried));
         }
         text += fmt::format("{} {} | {} | {} |\n", cells, word.position, object_text(word), contents);
         cells = "| | | | |";
@@ -106,14 +94,14 @@ std::string render_text(const PdoTable& table) {
 }
 
 std::string render_markdown(const PdoTable& table) {
-    std::string text = fmt::format("# {}\n\nConfiguration `{}`, node {}\n\n", escaped(heading(table)),
+    std::string text = fmt::format("# {}\n\nConfiguration `{}`, node {}\n\n", markdown_cell(heading(table)),
                                    table.configuration_id, table.node_id);
     text += "| PDO | COB-ID | Bytes | Time | Word | Object | Contents |\n";
     text += "|---|---:|---:|---|---:|---|---|\n";
     for (const PdoRow& row : table.rows) {
         markdown_row(text, row);
     }
-    return fmt::format("{}\n{}\n", text, escaped(legend));
+    return fmt::format("{}\n{}\n", text, markdown_cell(legend));
 }
 
 }  // namespace cgw::emit

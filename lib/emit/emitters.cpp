@@ -33,6 +33,8 @@ std::span<const Emitter> all_emitters() {
                 named_options},
         Emitter{"pdo-table", "identifiers, cycle times and contents of the 20 PDOs", pdo_table_formats(),
                 emit_pdo_table},
+        Emitter{"entry-sheet", "what to type into DcDesk 2000, device by device", entry_sheet_formats(),
+                emit_entry_sheet},
         Emitter{"image", "configuration image for the gateway runtime", image_formats, emit_image},
         Emitter{"image-source", "the configuration image as C++ source", image_source_formats,
                 emit_image_source, image_source_options},

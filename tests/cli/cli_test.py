@@ -24,8 +24,8 @@ CLEAN_GENSET = """: valid, no findings
   - other nodes: identifiers beyond the default ones of 1, 11
   - both devices: whether they hold these values; compare in DcDesk
 """
-ARTEFACTS = ["CANopenGateway.dbc", "CANopenGateway.dcf", "CANopenGateway.eds", "gateway-config.bin",
-             "pdo-table.csv", "pdo-table.json", "pdo-table.md"]
+ARTEFACTS = ["CANopenGateway.dbc", "CANopenGateway.dcf", "CANopenGateway.eds", "entry-sheet.csv",
+             "entry-sheet.html", "entry-sheet.md", "gateway-config.bin", "pdo-table.csv", "pdo-table.json", "pdo-table.md"]
 
 
 def cgw(*arguments, stdin=None, stdout=subprocess.PIPE, directory=None, **environment):

@@ -25,7 +25,7 @@ TEST(Rules, have_unique_codes_and_names_in_ascending_order) {
 }
 
 TEST(Rules, are_written_in_one_style) {
-    const std::regex code("E0[0-4][0-9]{2}");
+    const std::regex code("E0[0-5][0-9]{2}");
     const std::regex name("[a-z0-9]+(-[a-z0-9]+)+");
     for (const Rule* rule : all_rules()) {
         EXPECT_TRUE(std::regex_match(std::string(rule->code), code)) << rule->code;
@@ -33,7 +33,8 @@ TEST(Rules, are_written_in_one_style) {
         const Level level = rule->code < "E0300"   ? Level::error
                             : rule->code < "E0400" ? Level::warning
                                                    : Level::note;
-        EXPECT_EQ(rule->level, level) << rule->code;
+        const bool is_of_one_level = rule->code < "E0500";
+        EXPECT_TRUE(rule->level == level || !is_of_one_level) << rule->code;
         ASSERT_FALSE(rule->summary.empty()) << rule->code;
         EXPECT_NE(rule->summary.back(), '.') << rule->code;
         ASSERT_FALSE(rule->why.empty()) << rule->code;

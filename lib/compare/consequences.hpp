@@ -1,0 +1,25 @@
+// Inside the compare room: the parts of compare(), one source file each.
+#pragma once
+
+#include <vector>
+
+#include "compare/compare.hpp"
+
+namespace cgw::compare {
+
+using Differences = std::vector<Difference>;
+
+// Appends when the texts differ.
+void note(Differences& differences, std::string_view kind, std::string subject, std::string a, std::string b);
+
+// consequences.cpp: both buses and heartbeats; switches and sensors.
+void compare_buses(const config::Configuration& a, const config::Configuration& b, Differences& differences);
+void compare_inputs(const config::Configuration& a, const config::Configuration& b, Differences& differences);
+
+// pdo_consequences.cpp: all 20 PDOs.
+void compare_pdos(const config::Configuration& a, const config::Configuration& b, Differences& differences);
+
+// "15.625 ms"
+std::string time_text(const config::CyclicTime& time);
+
+}  // namespace cgw::compare

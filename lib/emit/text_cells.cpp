@@ -1,0 +1,44 @@
+#include "emit/text_cells.hpp"
+
+#include "emit/pdo_rows.hpp"
+
+namespace cgw::emit {
+namespace {
+
+// Spreadsheets run a cell that begins like this as a formula, wherever the text came from.
+bool looks_like_formula(std::string_view text) {
+    constexpr std::string_view starters = "=+-@\t\r";
+    return !text.empty() && starters.find(text.front()) != std::string_view::npos;
+}
+
+}  // namespace
+
+std::string markdown_cell(std::string_view text) {
+    constexpr std::string_view special = "\\`*_[]<>#&|~";
+    std::string markdown;
+    for (const char c : one_line(text)) {
+        if (special.find(c) != std::string_view::npos) {
+            markdown += '\\';
+        }
+        markdown += c;
+    }
+    return markdown;
+}
+
+std::string csv_field(std::string_view text) {
+    std::string field = looks_like_formula(text) ? "'" : "";
+    field += text;
+    if (field.find_first_of(",\"\r\n") == std::string::npos) {
+        return field;
+    }
+    std::string quoted = "\"";
+    for (const char c : field) {
+        quoted += c;
+        if (c == '"') {
+            quoted += c;
+        }
+    }
+    return quoted + '"';
+}
+
+}  // namespace cgw::emit

@@ -1,0 +1,174 @@
+// Entry sheets read back as tables give the plant they were printed from, and copies differ as announced.
+#include "driver/tables.hpp"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <random>
+
+#include "authoring/clone.hpp"
+#include "catalogue/catalogue.hpp"
+#include "driver/check_file.hpp"
+#include "driver/plant.hpp"
+#include "emit/emitter.hpp"
+#include "support/golden.hpp"
+
+namespace cgw::driver {
+namespace {
+
+class Directory {
+  public:
+    Directory() {
+        std::string name = (std::filesystem::temp_directory_path() / "cgw-tables-XXXXXX").string();
+        path_ = mkdtemp(name.data());
+    }
+    Directory(const Directory&) = delete;
+    Directory& operator=(const Directory&) = delete;
+    ~Directory() { std::filesystem::remove_all(path_); }
+
+    std::string write(const std::string& name, const std::string& text) const {
+        std::ofstream(path_ / name, std::ios::binary) << text;
+        return (path_ / name).string();
+    }
+
+  private:
+    std::filesystem::path path_;
+};
+
+std::string sheet_of(const CheckedFile& file, const std::string& format) {
+    const base::Result<Plant> plant = Plant::make(file);
+    emit::Options options;
+    options.format = format;
+    const base::Bytes bytes = emit::find_emitter("entry-sheet")->emit(plant->view(), options);
+    return {bytes.begin(), bytes.end()};
+}
+
+// What a sheet says of `file`, read back; what sheets do not carry is put back.
+std::string round_trip_id(const CheckedFile& file, const std::string& format, const Directory& directory) {
+    const std::string path = directory.write("sheet." + format, sheet_of(file, format));
+    const TablePaths paths{path, path};
+    const ReadTables tables = read_tables(paths, *file.catalogue);
+    EXPECT_TRUE(tables.valid() && tables.reports.empty())
+        << (tables.reports.empty() ? "" : tables.reports[0].findings[0].message);
+    const std::string title = file.settings.title;
+    CheckedFile back = check_text("back.toml", text_of_tables(tables, paths, title, *file.catalogue));
+    back.settings.identity = file.settings.identity;
+    back.settings.main_cycle_us = file.settings.main_cycle_us;
+    back.settings.declarations = file.settings.declarations;
+    return short_configuration_id(back.settings);
+}
+
+class Sample : public testing::TestWithParam<const char*> {
+  protected:
+    static CheckedFile sample() { return check_file(fmt::format("{}/{}.toml", CGW_SAMPLES, GetParam())); }
+};
+
+TEST_P(Sample, comes_back_from_its_entry_sheets) {
+    const CheckedFile file = sample();
+    ASSERT_TRUE(file.valid());
+    const Directory directory;
+    for (const std::string format : {"md", "csv"}) {
+        EXPECT_EQ(round_trip_id(file, format, directory), short_configuration_id(file.settings)) << format;
+    }
+}
+
+TEST_P(Sample, agrees_with_its_own_sheet_as_found) {
+    const CheckedFile file = sample();
+    const Directory directory;
+    const std::string path = directory.write("sheet.csv", sheet_of(file, "csv"));
+    const TableSide found = side_of_tables(file, read_tables({path, path}, *file.catalogue));
+    EXPECT_TRUE(found.absent.empty());
+    const compare::Comparison comparison =
+        compare::compare({file.settings, file.configuration}, {found.settings, found.configuration});
+    EXPECT_TRUE(comparison.same());
+}
+
+// For every node id: the copy is valid TOML, and nothing but 427, shifted identifiers and the title differs.
+TEST_P(Sample, copies_differ_in_node_id_and_title_only) {
+    const CheckedFile file = sample();
+    for (const int node : {2, 17, 126}) {
+        diagnostic::Findings findings;
+        const authoring::CloneRequest request{static_cast<std::uint8_t>(node), "another", true};
+        const auto text = authoring::clone_text(file.sources.at(file.path), file.settings, file.configuration,
+                                                request, findings);
+        ASSERT_TRUE(text);
+        const CheckedFile copy = check_text(file.path, *text);
+        ASSERT_TRUE(copy.valid()) << copy.findings.all()[0].message;
+        const compare::Comparison comparison =
+            compare::compare({file.settings, file.configuration}, {copy.settings, copy.configuration});
+        ASSERT_EQ(comparison.parameters.size(), 1U);
+        EXPECT_EQ(comparison.parameters[0].row->number, 427);
+        EXPECT_EQ(comparison.parameters[0].b, node);
+        ASSERT_EQ(comparison.otherwise.size(), 1U);
+        EXPECT_EQ(comparison.otherwise[0].kind, "title");
+        for (const compare::Difference& difference : comparison.consequences) {
+            EXPECT_TRUE(difference.kind == "node-id" || difference.kind == "pdo-identifier")
+                << difference.kind;
+        }
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Samples, Sample, testing::Values("minimal", "genset", "manual-example"),
+                         [](const auto& instance) {
+                             std::string name = instance.param;
+                             std::replace(name.begin(), name.end(), '-', '_');
+                             return name;
+                         });
+
+// Values of every kind, fractions with three decimals among them, come back as they were.
+TEST(EntrySheets, of_random_plants_come_back) {
+    const Directory directory;
+    std::mt19937 random(20261122);
+    const auto upto = [&random](unsigned highest) { return static_cast<unsigned>(random() % (highest + 1)); };
+    for (int run = 0; run < 10; ++run) {
+        std::string text = "format = 1\n[governor.parameters]\n401 = 1\n403 = 1\n416 = 500\n4406 = 1\n";
+        text += fmt::format("400 = {}.{:03}\n984 = {}\n980 = 1{}.{:03}\n", upto(99), upto(999), upto(2000),
+                            upto(9), upto(999));
+        text += fmt::format("827 = {}\n4827 = {}\n16472 = {}\n16483 = {}\n", static_cast<int>(upto(32)) - 16,
+                            upto(2), upto(3999), upto(3999));
+        text += fmt::format(
+            "[gateway.parameters]\n401 = 1\n402 = 1\n416 = 500\n4400 = 1\n426 = 125\n427 = {}\n"
+            "429 = {}\n16410 = 0x{:X}\n",
+            1 + upto(126), upto(65535), upto(0x7FF));
+        const CheckedFile file = check_text("random.toml", text);
+        ASSERT_TRUE(file.valid()) << text << file.findings.all()[0].message;
+        for (const std::string format : {"md", "csv"}) {
+            EXPECT_EQ(round_trip_id(file, format, directory), short_configuration_id(file.settings)) << text;
+        }
+    }
+}
+
+TEST(Tables, that_cannot_be_read_are_a_finding_of_their_own) {
+    const parameter::Catalogue catalogue(catalogue::shipped_rows());
+    const Directory directory;
+    const std::string gateway =
+        directory.write("gateway.txt", "401 CanMyNodeNumber 1\n402 CanDCNodeNumber 1\n");
+    const ReadTables tables = read_tables({"/nonexistent/governor.txt", gateway}, catalogue);
+    EXPECT_TRUE(tables.unreadable);
+    ASSERT_EQ(tables.reports.size(), 1U);
+    EXPECT_EQ(tables.reports[0].findings[0].rule, &diagnostic::rules::file_unreadable);
+    EXPECT_EQ(tables.gateway.values.size(), 2U);
+}
+
+TEST(Tables, leave_what_they_do_not_print_as_the_file_has_it) {
+    const CheckedFile file = check_file(CGW_SAMPLES "/manual-example.toml");
+    const Directory directory;
+    const std::string governor =
+        directory.write("governor.txt", "403 CanCMNodeNumber 1\n16400 CanOpTPDO4Assign(0) 2031\n");
+    const std::string gateway = directory.write("gateway.txt", "402 CanDCNodeNumber 1\n");
+    const TableSide side = side_of_tables(file, read_tables({governor, gateway}, *file.catalogue));
+    EXPECT_EQ(side.settings.governor.value(16400), 2031);
+    EXPECT_EQ(side.settings.governor.value(16401), 2031);
+    EXPECT_FALSE(side.absent.empty());
+    for (const compare::ParameterDifference& absent : side.absent) {
+        EXPECT_NE(absent.a, 0) << absent.row->number;
+        EXPECT_NE(absent.row->number, 16400);
+    }
+}
+
+}  // namespace
+}  // namespace cgw::driver
