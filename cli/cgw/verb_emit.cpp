@@ -85,21 +85,9 @@ int emit(const EmitOptions& options) {
 }
 
 constexpr Option emit_options[] = {
-    emitter_option,
-    parameter_file_option,
-    {.names = "-o,--output",
-     .value = "PATH",
-     .summary = "output file; - is standard output",
-     .default_value = "-",
-     .completes = Completes::files},
-    artefact_format_option,
-    section_option,
-    alignment_option,
-    symbol_option,
-    check_option,
-    list_outputs_option,
-    depfile_option,
-    color_option,
+    emitter_option,      parameter_file_option, output_option, artefact_format_option,
+    section_option,      alignment_option,      symbol_option, check_option,
+    list_outputs_option, depfile_option,        color_option,
 };
 
 int run_emit(const Arguments& arguments) {

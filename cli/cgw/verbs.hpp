@@ -8,6 +8,7 @@ namespace cgw::cli {
 extern const Verb check_verb;
 extern const Verb build_verb;
 extern const Verb emit_verb;
+extern const Verb schema_verb;
 extern const Verb image_verify_verb;
 extern const Verb image_inspect_verb;
 
