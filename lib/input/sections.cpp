@@ -209,7 +209,12 @@ constexpr Table gateway_table{"gateway", gateway_keys, parameter::Device::gatewa
 
 // --- [network] ---
 
-constexpr Key node_id = {"a node id", Kind::integer, optional, Limit::value, 1, 127};
+constexpr Key node_id = {.name = "a node id",
+                         .kind = Kind::integer,
+                         .limit = Limit::value,
+                         .minimum = 1,
+                         .maximum = 127,
+                         .text = "node id of another node"};
 
 void read_nodes(Context& context, const Entry& entry) {
     std::map<std::int64_t, diagnostic::Range> listed;

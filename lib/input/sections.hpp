@@ -17,8 +17,12 @@ const toml::Entry* misspelt_at_top(const toml::Node& document, std::string_view 
 void read_sections(Context& context, const toml::Node& document);
 
 // One name in the file's list of catalogues.
-inline constexpr Key catalogue_name = {
-    "a catalogue's name", toml::Kind::string, Presence::optional, Limit::bytes, 1, 4096};
+inline constexpr Key catalogue_name = {.name = "a catalogue's name",
+                                       .kind = toml::Kind::string,
+                                       .limit = Limit::bytes,
+                                       .minimum = 1,
+                                       .maximum = 4096,
+                                       .text = "path of a catalogue file, relative to this file"};
 
 // The catalogues that the file names, then its declarations.
 void read_catalogues(Context& context, const CatalogueLoader& load);

@@ -104,6 +104,7 @@ void write_list(JsonWriter& json, const Row& row, const Catalogue& catalogue, in
         all_same = all_same && other != nullptr && same_values(row, *other);
     }
     json.key("items").begin_object();
+    json.key("description").string(description(row, values));  // what editors show for a key that has a list
     if (all_same) {
         write_value(json, row, false);
     } else {
