@@ -18,12 +18,6 @@ inline constexpr Option color_option = {.names = "--color",
                                         .default_value = "auto",
                                         .words = color_words};
 
-inline constexpr Option output_option = {.names = "-o,--output",
-                                         .value = "PATH",
-                                         .summary = "output file; - is standard output",
-                                         .default_value = "-",
-                                         .completes = Completes::files};
-
 inline constexpr Option check_option = {
     .names = "--check", .summary = "write nothing; exit 1 when an output is missing or stale"};
 

@@ -54,6 +54,10 @@ void report_findings(const driver::CheckedFile& file, bool color) {
     input.files.push_back({file.path, file.findings.all()});
     input.sources = file.sources;
     input.color = color;
+    report_findings(input);
+}
+
+void report_findings(const diagnostic::RenderInput& input) {
     std::fputs(diagnostic::render_human(input).c_str(), stderr);
 }
 

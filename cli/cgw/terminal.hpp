@@ -24,6 +24,9 @@ bool is_terminal(std::FILE* stream);
 // `color`: use_color(…, stderr).
 void report_findings(const driver::CheckedFile& file, bool color);
 
+// The same for several files; a file without findings is best left out.
+void report_findings(const diagnostic::RenderInput& input);
+
 // Exit code of a checked file: exit_fine, exit_findings or exit_environment.
 int exit_code_of(const driver::CheckedFile& file);
 

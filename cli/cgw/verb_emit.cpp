@@ -5,6 +5,7 @@
 
 #include "cli/cgw/artefact_options.hpp"
 #include "cli/cgw/exit_codes.hpp"
+#include "cli/cgw/output_file.hpp"
 #include "cli/cgw/shared_options.hpp"
 #include "cli/cgw/terminal.hpp"
 #include "cli/cgw/verbs.hpp"
@@ -85,8 +86,8 @@ int emit(const EmitOptions& options) {
 }
 
 constexpr Option emit_options[] = {
-    emitter_option,      parameter_file_option, output_option, artefact_format_option,
-    section_option,      alignment_option,      symbol_option, check_option,
+    emitter_option,      parameter_file_option, text_output_option, artefact_format_option,
+    section_option,      alignment_option,      symbol_option,      check_option,
     list_outputs_option, depfile_option,        color_option,
 };
 

@@ -1,6 +1,6 @@
-#include "base/files.hpp"
 #include "catalogue/catalogue.hpp"
 #include "cli/cgw/exit_codes.hpp"
+#include "cli/cgw/output_file.hpp"
 #include "cli/cgw/shared_options.hpp"
 #include "cli/cgw/terminal.hpp"
 #include "cli/cgw/verbs.hpp"
@@ -11,7 +11,7 @@ namespace cgw::cli {
 namespace {
 
 constexpr Option schema_options[] = {
-    output_option,
+    text_output_option,
     check_option,
 };
 
@@ -22,22 +22,14 @@ int run_schema(const Arguments& arguments) {
     }
     const parameter::Catalogue catalogue(catalogue::shipped_rows());
     const std::string text = schema::parameter_file_schema(catalogue);
-    if (output == "-") {
-        return print(text) ? exit_fine : exit_environment;
+    if (!arguments.given("--check")) {
+        return write_text(output, text);
     }
-    const base::Bytes content = base::to_bytes(text);
-    if (arguments.given("--check")) {
-        if (driver::up_to_date(output, content)) {
-            return exit_fine;
-        }
-        print_error(output + " is missing or stale; run cgw schema -o " + output);
-        return exit_findings;
+    if (driver::up_to_date(output, base::to_bytes(text))) {
+        return exit_fine;
     }
-    if (const base::Result<void> written = base::write_file(output, content); !written) {
-        print_error(written.error().message);
-        return exit_environment;
-    }
-    return exit_fine;
+    print_error(output + " is missing or stale; run cgw schema -o " + output);
+    return exit_findings;
 }
 
 }  // namespace

@@ -9,6 +9,8 @@ extern const Verb check_verb;
 extern const Verb build_verb;
 extern const Verb emit_verb;
 extern const Verb schema_verb;
+extern const Verb new_verb;
+extern const Verb import_table_verb;
 extern const Verb image_verify_verb;
 extern const Verb image_inspect_verb;
 

@@ -1,5 +1,6 @@
 // Every finding cgw can make, one row each. A code is never reused; a name never changes.
-// E00 file and TOML · E01 keys, parameters, values · E02 what makes the plant fail.
+// E00 file and TOML · E01 keys, parameters, values · E02 what makes the plant fail · E03 warnings · E04
+// notes · E05 tables read in and files copied. The rows stand in one source file per group; what explains, lists or documents findings reads them.
 #pragma once
 
 #include <span>
@@ -17,6 +18,14 @@ struct Rule {
     Level level;
     std::string_view summary;    // what the rule demands, one line
     std::string_view reference;  // manual section or ruling: "GWM 7.3, D33"
+    std::string_view why;        // what it means for the plant, one to three sentences
+
+    // The rule broken and kept: lines of a parameter file below their table headers, to be read on top of
+    // a valid file. A line replaces the one with its key, `# 427 = 5` takes that one away, other lines are
+    // added. Empty for the three rules that no printed text can break. Of the rules about printed tables
+    // (E0501 to E0508): whole tables.
+    std::string_view bad;
+    std::string_view good;
 };
 
 namespace rules {
@@ -67,6 +76,17 @@ CGW_RULE(engine_stop_over_canopen);
 CGW_RULE(tpdo_parameter_unknown);
 CGW_RULE(tpdo_parameter_bit);
 CGW_RULE(communication_off);
+
+// E05: printed tables read in, files copied
+CGW_RULE(table_row);
+CGW_RULE(table_value_ambiguous);
+CGW_RULE(table_ellipsis);
+CGW_RULE(table_unit);
+CGW_RULE(table_of_other_device);
+CGW_RULE(table_empty);
+CGW_RULE(table_misprint);
+CGW_RULE(table_measurement);
+CGW_RULE(clone_identifier);
 
 #undef CGW_RULE
 

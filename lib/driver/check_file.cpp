@@ -1,6 +1,7 @@
 #include "driver/check_file.hpp"
 
 #include <filesystem>
+#include <utility>
 
 #include "base/files.hpp"
 #include "catalogue/catalogue.hpp"
@@ -26,18 +27,28 @@ std::string beside(const std::string& file, const std::string& name) {
     return (std::filesystem::path(file).parent_path() / name).string();
 }
 
-}  // namespace
-
-CheckedFile check_file(const std::string& path) {
+CheckedFile empty_file(const std::string& path) {
     CheckedFile file;
     file.path = path;
     file.catalogue = std::make_unique<parameter::Catalogue>(catalogue::shipped_rows());
     file.dependencies.push_back(path);
+    return file;
+}
+
+}  // namespace
+
+CheckedFile check_file(const std::string& path) {
     base::Result<std::string> text = base::read_file(path, toml::maximum_file_size);
     if (!text) {
+        CheckedFile file = empty_file(path);
         report_unreadable(file, text.error());
         return file;
     }
+    return check_text(path, std::move(*text));
+}
+
+CheckedFile check_text(const std::string& path, std::string text) {
+    CheckedFile file = empty_file(path);
     const auto load = [&](const std::string& name) {
         const std::string catalogue_path = beside(path, name);
         file.dependencies.push_back(catalogue_path);
@@ -45,9 +56,10 @@ CheckedFile check_file(const std::string& path) {
         file.unreadable = file.unreadable || (!content && !content.error().too_large);
         return content;
     };
-    input::ReadResult read = input::read_parameter_file(*text, path, *file.catalogue, load, file.findings);
+    input::ReadResult read = input::read_parameter_file(text, path, *file.catalogue, load, file.findings);
+    file.complete = read.usable && !file.findings.has_errors();
     file.sources = std::move(read.file.sources);
-    file.sources[path] = std::move(*text);
+    file.sources[path] = std::move(text);
     file.settings = std::move(read.file.settings);
     if (read.usable) {
         file.configuration = config::resolve(file.settings, *file.catalogue);

@@ -22,6 +22,7 @@ struct CheckedFile {
     diagnostic::Findings findings;
     std::map<std::string, std::string> sources;  // by path: the file's text and its catalogues'
     std::vector<std::string> dependencies;       // paths read, the parameter file first
+    bool complete = false;                       // settings hold all that the file says
     bool unreadable = false;                     // the parameter file itself or a catalogue: exit code 3
 
     bool valid() const { return !unreadable && !findings.has_errors(); }
@@ -30,5 +31,8 @@ struct CheckedFile {
 // Reads, resolves and checks; all findings, sorted by place. Path "-" is standard input, whose catalogues
 // are looked up in the working directory. Settings and configuration are to be used only when valid().
 CheckedFile check_file(const std::string& path);
+
+// The same for a text that is or will be the file `path`; only its catalogues are read.
+CheckedFile check_text(const std::string& path, std::string text);
 
 }  // namespace cgw::driver

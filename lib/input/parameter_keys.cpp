@@ -113,6 +113,21 @@ const Row* resolve_silently(const Catalogue& catalogue, Device device, std::stri
     return row_of(catalogue, device, take_apart(key));
 }
 
+std::string mismatch_message(const Catalogue& catalogue, Device device, std::uint16_t number,
+                             std::string_view name) {
+    const Row* by_number = catalogue.find(device, number);
+    const Row* by_name = catalogue.find(device, name);
+    std::string number_says = fmt::format("the {} has no parameter {}", parameter::to_text(device), number);
+    if (by_number != nullptr) {
+        number_says = fmt::format("{} is {}", by_number->number,
+                                  by_number->name.empty() ? "another parameter" : by_number->name);
+    }
+    const std::string name_says = by_name == nullptr
+                                      ? fmt::format("no parameter is named {}", toml::quoted(name))
+                                      : fmt::format("{} is {}", by_name->name, by_name->number);
+    return fmt::format("{}, but {}", number_says, name_says);
+}
+
 const Row* KeyResolver::resolve(const toml::Entry& entry) {
     const Spelling spelling = take_apart(entry.key);
     if (const Row* row = row_of(context_.catalogue, device_, spelling)) {
@@ -132,15 +147,6 @@ const Row* KeyResolver::resolve(const toml::Entry& entry) {
 void KeyResolver::report_mismatch(const toml::Entry& entry, const Spelling& spelling) {
     const Row* by_number = context_.catalogue.find(device_, *spelling.number);
     const Row* by_name = context_.catalogue.find(device_, spelling.name);
-    std::string number_says =
-        fmt::format("the {} has no parameter {}", parameter::to_text(device_), *spelling.number);
-    if (by_number != nullptr) {
-        number_says = fmt::format("{} is {}", by_number->number,
-                                  by_number->name.empty() ? "another parameter" : by_number->name);
-    }
-    const std::string name_says = by_name == nullptr
-                                      ? fmt::format("no parameter is named {}", toml::quoted(spelling.name))
-                                      : fmt::format("{} is {}", by_name->name, by_name->number);
     std::string help;
     if (by_name == nullptr) {
         help = fmt::format("write \"{}\"", parameter::label(*by_number));
@@ -150,7 +156,8 @@ void KeyResolver::report_mismatch(const toml::Entry& entry, const Spelling& spel
         help = fmt::format(R"(write "{}" or "{}")", parameter::label(*by_number), parameter::label(*by_name));
     }
     context_.report(rules::parameter_name_mismatch, entry.key_range,
-                    fmt::format("{}, but {}", number_says, name_says), std::move(help));
+                    mismatch_message(context_.catalogue, device_, *spelling.number, spelling.name),
+                    std::move(help));
     for (const Row* row : {by_number, by_name}) {
         if (row != nullptr) {
             set_of(context_, device_).reject(row->number);

@@ -25,7 +25,13 @@ Spelling take_apart(std::string_view key);
 const parameter::Row* resolve_silently(const parameter::Catalogue& catalogue, parameter::Device device,
                                        std::string_view key);
 
-// The same with findings; suggestions stop after some dozens, so that a file of nonsense stays cheap.
+// "401 is CanMyNodeNumber, but CanCMNodeNumber is 403": for a number and a name that do not belong together
+// and of which the device knows at least one.
+std::string mismatch_message(const parameter::Catalogue& catalogue, parameter::Device device,
+                             std::uint16_t number, std::string_view name);
+
+// resolve_silently() with findings; suggestions stop after some dozens, so that a file of nonsense stays
+// cheap.
 class KeyResolver {
   public:
     KeyResolver(Context& context, parameter::Device device) : context_(context), device_(device) {}

@@ -10,6 +10,7 @@
 #include "base/numbers.hpp"
 #include "input/parameter_keys.hpp"
 #include "input/required.hpp"
+#include "input/value_limits.hpp"
 
 namespace cgw::input {
 namespace {
@@ -23,37 +24,6 @@ using parameter::Row;
 using toml::Entry;
 using toml::Kind;
 using toml::Node;
-
-std::string with_unit(const Row& row) {
-    return row.unit.empty() ? "" : fmt::format(" {}", row.unit);
-}
-
-std::string limit_text(const Row& row, double limit) {
-    return row.base == parameter::Base::hexadecimal && limit >= 0
-               ? fmt::format("0x{:X}", static_cast<std::uint64_t>(limit))
-               : base::to_text(limit);
-}
-
-// "outside 1..31", "outside 0..100 s", "none of 125, 250, 500, 1000 kbit/s"; empty when the value is allowed.
-std::string objection(const Row& row, double value) {
-    if (!row.choices.empty()) {
-        const auto is_value = [&](std::uint32_t choice) { return static_cast<double>(choice) == value; };
-        return std::any_of(row.choices.begin(), row.choices.end(), is_value)
-                   ? ""
-                   : fmt::format("none of {}{}", fmt::join(row.choices, ", "), with_unit(row));
-    }
-    const bool is_low = row.minimum && !(value >= *row.minimum);
-    const bool is_high = row.maximum && !(value <= *row.maximum);
-    if (is_low || is_high) {
-        if (row.minimum && row.maximum) {
-            return fmt::format("outside {}..{}{}", limit_text(row, *row.minimum),
-                               limit_text(row, *row.maximum), with_unit(row));
-        }
-        return fmt::format("{} {}{}", is_low ? "below" : "above",
-                           limit_text(row, is_low ? *row.minimum : *row.maximum), with_unit(row));
-    }
-    return std::isfinite(value) ? "" : "not a finite number";
-}
 
 std::string help_for_type(const Node& value) {
     if (value.kind == Kind::boolean) {

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <iterator>
 #include <regex>
 #include <set>
 
@@ -24,15 +26,25 @@ TEST(Rules, have_unique_codes_and_names_in_ascending_order) {
 }
 
 TEST(Rules, are_written_in_one_style) {
-    const std::regex code("E0[0-2][0-9]{2}");
+    const std::regex code("E0[0-5][0-9]{2}");
     const std::regex name("[a-z0-9]+(-[a-z0-9]+)+");
     for (const Rule* rule : all_rules()) {
         EXPECT_TRUE(std::regex_match(std::string(rule->code), code)) << rule->code;
         EXPECT_TRUE(std::regex_match(std::string(rule->name), name)) << rule->name;
-        EXPECT_EQ(rule->code.front() == 'E', rule->level == Level::error) << rule->code;
         ASSERT_FALSE(rule->summary.empty()) << rule->code;
         EXPECT_NE(rule->summary.back(), '.') << rule->code;
+        ASSERT_FALSE(rule->why.empty()) << rule->code;
+        EXPECT_EQ(rule->why.back(), '.') << rule->code;
+        EXPECT_LE(std::count(rule->why.begin(), rule->why.end(), '.'), 4) << rule->code;
     }
+}
+
+TEST(Rules, declared_in_the_header_are_all_in_the_table) {
+    const std::string header = cgw::test::read_text(CGW_SAMPLES "/../lib/diagnostic/rules.hpp");
+    const std::regex declaration("\nCGW_RULE\\([a-z0-9_]+\\);");
+    const auto declared = std::distance(std::sregex_iterator(header.begin(), header.end(), declaration),
+                                        std::sregex_iterator());
+    EXPECT_EQ(static_cast<std::size_t>(declared), all_rules().size());
 }
 
 TEST(Rules, about_the_plant_cite_the_manual_or_a_ruling) {

@@ -1,5 +1,3 @@
-#include "cli/cgw/verb_image.hpp"
-
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -9,6 +7,7 @@
 #include <sstream>
 
 #include "base/utf8.hpp"
+#include "cli/cgw/parser.hpp"
 #include "support/golden.hpp"
 #include "support/image_bytes.hpp"
 #include "support/sample_plant.hpp"
@@ -22,12 +21,12 @@ struct Outcome {
     std::string err;
 };
 
-template <typename Verb>
-Outcome run(Verb verb) {
+Outcome run(const std::vector<const char*>& words) {
+    const cli::Call call = cli::parse(words);
     testing::internal::CaptureStdout();
     testing::internal::CaptureStderr();
     Outcome outcome;
-    outcome.exit_code = verb();
+    outcome.exit_code = call.verb->run(call.arguments);
     outcome.out = testing::internal::GetCapturedStdout();
     outcome.err = testing::internal::GetCapturedStderr();
     return outcome;
@@ -52,11 +51,10 @@ class ImageVerbs : public testing::Test {
         std::ofstream(name, std::ios::binary)
             .write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
     }
-    static Outcome verify(const std::string& name) {
-        return run([&] { return cli::image_verify(name); });
-    }
+    static Outcome verify(const std::string& name) { return run({"image", "verify", name.c_str()}); }
     static Outcome inspect(const std::string& name, bool json) {
-        return run([&] { return cli::image_inspect(name, json); });
+        return json ? run({"image", "inspect", name.c_str(), "--json"})
+                    : run({"image", "inspect", name.c_str()});
     }
 
   private:

@@ -1,0 +1,50 @@
+#include "cli/cgw/output_file.hpp"
+
+#include <fmt/format.h>
+
+#include "base/bytes.hpp"
+#include "base/files.hpp"
+#include "base/utf8.hpp"
+#include "cli/cgw/exit_codes.hpp"
+#include "cli/cgw/terminal.hpp"
+#include "driver/outputs.hpp"
+
+namespace cgw::cli {
+
+void refuse_input_as_output(const std::string& output, const std::vector<std::string>& inputs) {
+    if (output == "-") {
+        return;
+    }
+    if (const std::string why = driver::clash({output}, inputs); !why.empty()) {
+        throw UsageError(why);
+    }
+}
+
+int write_text(const std::string& output, const std::string& text) {
+    if (output == "-") {
+        return print(text) ? exit_fine : exit_environment;
+    }
+    if (const base::Result<void> written = base::write_file(output, base::to_bytes(text)); !written) {
+        print_error(written.error().message);
+        return exit_environment;
+    }
+    return exit_fine;
+}
+
+std::string title_of(const Arguments& arguments) {
+    constexpr std::size_t longest = 200;  // docs/parameter-file.md
+    const std::string title = arguments.value("--title");
+    if (!arguments.given("--title")) {
+        return title;
+    }
+    if (title.empty() || title.size() > longest) {
+        throw UsageError(
+            fmt::format("--title: a title has 1 to {} bytes, this has {}", longest, title.size()));
+    }
+    if (base::printable(title) != title) {
+        throw UsageError("--title: a title is UTF-8 without control characters");
+    }
+    return title;
+}
+
+}  // namespace cgw::cli

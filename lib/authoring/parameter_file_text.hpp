@@ -1,0 +1,27 @@
+// A parameter file (format 1) written from values, with what the catalogue says about each as comments.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "parameter/catalogue.hpp"
+
+namespace cgw::authoring {
+
+struct WrittenValue {
+    const parameter::Row* row = nullptr;
+    std::string literal;  // as TOML takes it: "250", "1.0", "0x282"
+};
+
+struct Draft {
+    std::string title;                   // "": no title
+    std::vector<std::string> remarks;    // lines of comment at the top, without '#'
+    std::vector<WrittenValue> governor;  // ascending by number
+    std::vector<WrittenValue> gateway;
+};
+
+// Parameters in the order given, named as the manuals print them; unit, text and, for what a TPDO carries,
+// the name of the measurement as comments. Short arrays that are there whole are written as a list.
+std::string parameter_file_text(const Draft& draft, const parameter::Catalogue& catalogue);
+
+}  // namespace cgw::authoring

@@ -1,0 +1,238 @@
+#include "input/parameter_table.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "base/edit_distance.hpp"
+#include "base/numbers.hpp"
+#include "input/parameter_keys.hpp"
+#include "input/table_rows.hpp"
+#include "input/table_values.hpp"
+#include "toml/document.hpp"
+#include "toml/source.hpp"
+
+namespace cgw::input {
+namespace {
+
+namespace rules = diagnostic::rules;
+using parameter::Device;
+using parameter::Row;
+
+constexpr std::size_t names_in_a_note = 6;
+
+Device other_device(Device device) {
+    return device == Device::governor ? Device::gateway : Device::governor;
+}
+
+std::string spelling_of(const TableRow& row) {
+    return row.name.text.empty() ? row.number.text : fmt::format("{} {}", row.number.text, row.name.text);
+}
+
+class TableReader {
+  public:
+    TableReader(const std::string& path, Device device, const parameter::Catalogue& catalogue,
+                diagnostic::Findings& findings)
+        : path_(path), device_(device), catalogue_(catalogue), findings_(findings) {}
+
+    PrintedTable read(const RowsRead& read) {
+        if (read.rows.empty()) {
+            report_empty(read.of_other_device);
+        } else if (!report_other_device(read.rows)) {
+            for (const TableRow& row : read.rows) {
+                read_row(row);
+            }
+            report_measurements();
+        }
+        return std::move(table_);
+    }
+
+  private:
+    void report(const diagnostic::Rule& rule, const diagnostic::Range& where, std::string message,
+                std::string help = {}) {
+        findings_.report({&rule, std::move(message), {path_, where}, {}, std::move(help)});
+    }
+
+    // What was wrong with every line that looked like a row has been said already.
+    void report_empty(std::size_t of_other_device) {
+        if (!findings_.has_errors()) {
+            const std::string_view device = parameter::to_text(device_);
+            report(rules::table_empty, {},
+                   of_other_device > 0
+                       ? fmt::format("the table has no row of the {}, only of the other device", device)
+                       : fmt::format("the table of the {} has no row", device),
+                   "the columns are Number, Parameter, Value, Unit");
+        }
+    }
+
+    bool fits(const TableRow& row, Device device) const {
+        return resolve_silently(catalogue_, device, spelling_of(row)) != nullptr;
+    }
+
+    // A table of the wrong device is one mistake and not one in every row.
+    bool report_other_device(const std::vector<TableRow>& rows) {
+        const Device other = other_device(device_);
+        const TableRow* first = nullptr;
+        std::size_t ours = 0;
+        std::size_t theirs = 0;
+        for (const TableRow& row : rows) {
+            const bool fits_us = fits(row, device_);
+            const bool fits_them = fits(row, other);
+            ours += fits_us && !fits_them ? 1 : 0;
+            theirs += fits_them && !fits_us ? 1 : 0;
+            first = first == nullptr && fits_them && !fits_us ? &row : first;
+        }
+        if (theirs <= ours) {
+            return false;
+        }
+        report(rules::table_of_other_device, first->number.range,
+               fmt::format("this looks like a table of the {}: {} rows fit only that, {} only the {}",
+                           parameter::to_text(other), theirs, ours, parameter::to_text(device_)),
+               fmt::format("give it as --{}", parameter::to_text(other)));
+        return true;
+    }
+
+    void read_row(const TableRow& row) {
+        const Row* parameter = resolve(row);
+        if (parameter == nullptr) {
+            return;
+        }
+        if (!parameter->settable()) {
+            measurements_.push_back({parameter, row.number.range});
+            return;
+        }
+        ValueReading reading = read_table_value(*parameter, row.value.text, row.unit.text);
+        if (!reading.value) {
+            const bool is_empty = row.value.text.empty();
+            report(*reading.rule, is_empty ? row.number.range : row.value.range, std::move(reading.message),
+                   std::move(reading.help));
+            return;
+        }
+        assign(*parameter, row, *reading.value);
+    }
+
+    // Sheets and overlapping pages print a row twice; only two values are a contradiction.
+    void assign(const Row& parameter, const TableRow& row, const TableValue& value) {
+        const auto [place, is_new] = table_.values.try_emplace(parameter.number);
+        if (is_new) {
+            place->second = {
+                &parameter, value.value, value.literal, {path_, row.number.range}, {path_, row.value.range}};
+        } else if (place->second.value != value.value) {
+            findings_.report({&rules::parameter_duplicate,
+                              fmt::format("{} is {} here and {} before", parameter::label(parameter),
+                                          row.value.text, place->second.literal),
+                              {path_, row.value.range},
+                              {{place->second.where, "first value here"}}});
+        }
+    }
+
+    const Row* resolve(const TableRow& row) {
+        const Row* found = resolve_silently(catalogue_, device_, spelling_of(row));
+        const auto number = static_cast<std::uint16_t>(base::parse_integer(row.number.text).value_or(0));
+        if (found == nullptr) {
+            report_unresolved(row, number);
+            return nullptr;
+        }
+        const Row* by_name = row.name.text.empty() ? found : catalogue_.find(device_, row.name.text);
+        const bool is_misprint = found->number != number || (by_name != found && !found->name.empty());
+        if (is_misprint) {
+            report(rules::table_misprint, found->number != number ? row.number.range : row.name.range,
+                   fmt::format("{} is a misprint of the manual, read as {}", spelling_of(row),
+                               parameter::label(*found)));
+        }
+        return found;
+    }
+
+    void report_unresolved(const TableRow& row, std::uint16_t number) {
+        const Row* by_number = catalogue_.find(device_, number);
+        const Row* by_name = row.name.text.empty() ? nullptr : catalogue_.find(device_, row.name.text);
+        if (by_number != nullptr || by_name != nullptr) {
+            const bool is_name_wrong = by_name == nullptr;
+            report(rules::parameter_name_mismatch, is_name_wrong ? row.name.range : row.number.range,
+                   mismatch_message(catalogue_, device_, number, row.name.text), help_for(row, by_number));
+            return;
+        }
+        report(rules::parameter_unknown, row.number.range,
+               fmt::format("the {} has no parameter {}", parameter::to_text(device_),
+                           toml::quoted(spelling_of(row))),
+               help_for(row, nullptr));
+    }
+
+    std::string help_for(const TableRow& row, const Row* by_number) {
+        const Device other = other_device(device_);
+        if (const Row* foreign = resolve_silently(catalogue_, other, spelling_of(row))) {
+            return fmt::format("{} belongs to the {}", parameter::label(*foreign), parameter::to_text(other));
+        }
+        if (by_number != nullptr) {
+            return by_number->name.empty() ? "" : fmt::format("is it {}?", parameter::label(*by_number));
+        }
+        constexpr int most_suggestions = 50;  // a file of nonsense stays cheap
+        constexpr std::size_t longest_name = 100;
+        if (!row.name.text.empty() && row.name.text.size() < longest_name &&
+            suggestions_++ < most_suggestions) {
+            const std::string near = base::nearest_name(row.name.text, catalogue_.names(device_));
+            if (!near.empty()) {
+                return fmt::format("did you mean {}?", parameter::label(*catalogue_.find(device_, near)));
+            }
+        }
+        return "leave out what does not concern CANopen";
+    }
+
+    void report_measurements() {
+        if (measurements_.empty()) {
+            return;
+        }
+        std::string names;
+        for (std::size_t i = 0; i < measurements_.size() && i < names_in_a_note; ++i) {
+            names += (i == 0 ? "" : ", ") + parameter::label(*measurements_[i].row);
+        }
+        const std::size_t count = measurements_.size();
+        if (count > names_in_a_note) {
+            names += fmt::format(" and {} more", count - names_in_a_note);
+        }
+        report(rules::table_measurement, measurements_.front().where,
+               fmt::format("{} skipped: {}", count == 1 ? "a measurement is" : "measurements are", names));
+    }
+
+    struct Measurement {
+        const Row* row = nullptr;
+        diagnostic::Range where;
+    };
+
+    const std::string& path_;
+    Device device_;
+    const parameter::Catalogue& catalogue_;
+    diagnostic::Findings& findings_;
+    PrintedTable table_;
+    std::vector<Measurement> measurements_;
+    int suggestions_ = 0;
+};
+
+// pdf readers write a form feed between pages.
+std::string without_form_feeds(std::string_view text) {
+    std::string result(text);
+    std::replace(result.begin(), result.end(), '\f', ' ');
+    return result;
+}
+
+}  // namespace
+
+PrintedTable read_parameter_table(std::string_view text, const std::string& path, Device device,
+                                  const parameter::Catalogue& catalogue, diagnostic::Findings& findings) {
+    const std::string readable = without_form_feeds(text);
+    if (const auto complaint = toml::check_characters(toml::Source(readable))) {
+        findings.report({complaint->rule, complaint->message, {path, complaint->where}, {}, complaint->help});
+        return {};
+    }
+    diagnostic::Findings own;
+    const RowsRead rows = read_rows(readable, path, device, catalogue, own);
+    PrintedTable table = TableReader(path, device, catalogue, own).read(rows);
+    for (const diagnostic::Diagnostic& finding : own.all()) {
+        findings.report(finding);
+    }
+    return table;
+}
+
+}  // namespace cgw::input

@@ -1,0 +1,193 @@
+#include "input/table_cells.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace cgw::input {
+namespace {
+
+constexpr std::string_view blanks = " \t\f\r";
+
+std::string_view trimmed(std::string_view text) {
+    const std::size_t first = std::min(text.find_first_not_of(blanks), text.size());
+    text.remove_prefix(first);
+    return text.substr(0, text.find_last_not_of(blanks) + 1);
+}
+
+// Length of the markup at the start of `text`, 0 for none.
+std::size_t markup_length(std::string_view text) {
+    constexpr std::array<std::string_view, 8> tags = {"<i>", "</i>", "<b>",  "</b>",
+                                                      "<u>", "</u>", "<br>", "<em>"};
+    for (const std::string_view tag : tags) {
+        if (text.starts_with(tag)) {
+            return tag.size();
+        }
+    }
+    return text.front() == '*' || text.front() == '`' ? 1 : 0;
+}
+
+// U+00A0, U+2007, U+202F
+std::size_t no_break_space_length(std::string_view text) {
+    constexpr std::array<std::string_view, 3> spaces = {"\xC2\xA0", "\xE2\x80\x87", "\xE2\x80\xAF"};
+    const auto* const space = std::find_if(spaces.begin(), spaces.end(),
+                                           [text](std::string_view s) { return text.starts_with(s); });
+    return space != spaces.end() ? space->size() : 0;
+}
+
+bool is_punctuation(char c) {
+    return c > ' ' && c < '\x7F' &&
+           std::string_view("!\"#$%&'()*+,-./:;<=>?@[\\]^_`{|}~").find(c) != std::string_view::npos;
+}
+
+std::string unquoted(std::string_view cell) {
+    std::string text;
+    for (std::size_t at = 1; at < cell.size(); ++at) {
+        if (cell[at] == '"' && (at + 1 == cell.size() || cell[++at] != '"')) {
+            break;
+        }
+        text += cell[at];
+    }
+    return text;
+}
+
+// Where the cell that begins at `at` ends: at the separator, or at the end of the line.
+std::size_t cell_end(std::string_view line, std::size_t at, char separator, bool with_quotes) {
+    const std::size_t first = std::min(line.find_first_not_of(" ", at), line.size());
+    bool inside = false;
+    const bool is_quoted = with_quotes && first < line.size() && line[first] == '"';
+    for (; at < line.size(); ++at) {
+        if (is_quoted && line[at] == '"') {
+            inside = !inside;
+        } else if (separator == '|' && line[at] == '\\') {
+            ++at;
+        } else if (line[at] == separator && !inside) {
+            break;
+        }
+    }
+    return std::min(at, line.size());
+}
+
+class Splitter {
+  public:
+    Splitter(std::string_view line, std::uint32_t number, std::size_t skipped)
+        : line_(line), number_(number), skipped_(skipped) {}
+
+    diagnostic::Range range(std::size_t begin, std::size_t end) const {
+        const auto column = [this](std::size_t at) { return static_cast<std::uint32_t>(at + skipped_ + 1); };
+        return {{number_, column(begin)}, {number_, column(end)}};
+    }
+
+    diagnostic::Range range_of(std::string_view part) const {
+        const auto begin = static_cast<std::size_t>(part.data() - line_.data());
+        return range(begin, begin + part.size());
+    }
+
+    std::vector<Cell> at_separators(char separator) const {
+        const bool with_quotes = separator == ',' || separator == ';';
+        std::vector<Cell> cells;
+        std::size_t at = 0;
+        while (true) {
+            const std::size_t end = cell_end(line_, at, separator, with_quotes);
+            add(cells, line_.substr(at, end - at), with_quotes);
+            if (end == line_.size()) {
+                return cells;
+            }
+            at = end + 1;
+        }
+    }
+
+    // "CanOpTPDO4-16Cyc (11)" is one cell although a blank stands in it (D3).
+    std::vector<Cell> at_blanks() const {
+        std::vector<Cell> cells;
+        std::size_t at = std::min(line_.find_first_not_of(blanks), line_.size());
+        while (at < line_.size()) {
+            std::size_t end = std::min(line_.find_first_of(blanks, at), line_.size());
+            const std::size_t next = std::min(line_.find_first_not_of(blanks, end), line_.size());
+            const bool has_index = cells.size() == 1 && next + 1 < line_.size() && line_[next] == '(' &&
+                                   is_digit(line_[next + 1]);
+            end = has_index ? std::min(line_.find_first_of(blanks, next), line_.size()) : end;
+            add(cells, line_.substr(at, end - at), false);
+            at = std::min(line_.find_first_not_of(blanks, end), line_.size());
+        }
+        return cells;
+    }
+
+  private:
+    static bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+    void add(std::vector<Cell>& cells, std::string_view raw, bool with_quotes) const {
+        const std::string_view cell = trimmed(raw);
+        const bool is_quoted = with_quotes && cell.starts_with('"');
+        std::string text = plain_text(is_quoted ? unquoted(cell) : std::string(cell));
+        if (with_quotes && text.starts_with('\'')) {
+            text.erase(0, 1);  // how a spreadsheet marks what is text and no formula
+        }
+        cells.push_back({std::move(text), range_of(cell)});
+    }
+
+    std::string_view line_;
+    std::uint32_t number_;
+    std::size_t skipped_;
+};
+
+// "| a | b |": the outer bars separate nothing.
+void drop_outer(std::vector<Cell>& cells) {
+    if (cells.size() > 1 && cells.back().text.empty()) {
+        cells.pop_back();
+    }
+    if (cells.size() > 1 && cells.front().text.empty()) {
+        cells.erase(cells.begin());
+    }
+}
+
+}  // namespace
+
+std::string plain_text(std::string_view cell) {
+    std::string text;
+    while (!cell.empty()) {
+        if (const std::size_t markup = markup_length(cell); markup > 0) {
+            cell.remove_prefix(markup);
+        } else if (const std::size_t space = no_break_space_length(cell); space > 0) {
+            text += ' ';
+            cell.remove_prefix(space);
+        } else {
+            const bool is_escape = cell.front() == '\\' && cell.size() > 1 && is_punctuation(cell[1]);
+            cell.remove_prefix(is_escape ? 1 : 0);
+            text += cell.front();
+            cell.remove_prefix(1);
+        }
+    }
+    return std::string(trimmed(text));
+}
+
+CellLine split_cells(std::string_view line, std::uint32_t number, bool commas, std::size_t skipped) {
+    const Splitter splitter(line, number, skipped);
+    CellLine result;
+    result.number = number;
+    const std::string_view solid = trimmed(line);
+    result.range = splitter.range_of(solid);
+    if (solid.empty()) {
+        return result;
+    }
+    if (solid.find('\t') != std::string_view::npos) {
+        result.separation = Separation::tabs;
+        result.cells = splitter.at_separators('\t');
+    } else if (commas && line.find(',') != std::string_view::npos) {
+        result.separation = Separation::commas;
+        result.cells = splitter.at_separators(',');
+    } else if (line.find('|') != std::string_view::npos) {
+        result.separation = Separation::bars;
+        result.cells = splitter.at_separators('|');
+        if (solid.starts_with('|')) {
+            drop_outer(result.cells);
+        }
+    } else if (line.find(';') != std::string_view::npos) {
+        result.separation = Separation::semicolons;
+        result.cells = splitter.at_separators(';');
+    } else {
+        result.cells = splitter.at_blanks();
+    }
+    return result;
+}
+
+}  // namespace cgw::input

@@ -1,0 +1,36 @@
+// A printed parameter table as lines of cells, whatever separates them.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "diagnostic/location.hpp"
+
+namespace cgw::input {
+
+enum class Separation : std::uint8_t { tabs, commas, bars, semicolons, blanks };
+
+struct Cell {
+    std::string text;         // without blanks around it, quotes and markup
+    diagnostic::Range range;  // as it stands in the file
+};
+
+struct CellLine {
+    std::uint32_t number = 0;  // 1-based
+    Separation separation = Separation::blanks;
+    std::vector<Cell> cells;  // none: a blank line
+    diagnostic::Range range;  // without blanks around it
+};
+
+// `line` has no line end; `skipped` bytes stood before it in its line (a byte order mark). Tabs separate
+// where there are any; else commas when `commas` says so; else bars (Markdown), semicolons, and at last
+// blanks. In comma and semicolon tables a cell may stand in double quotes (RFC 4180).
+CellLine split_cells(std::string_view line, std::uint32_t number, bool commas, std::size_t skipped = 0);
+
+// The text of a cell without what surrounds names in manuals and Markdown: <i>…</i>, *…*, backslashes before
+// punctuation; no-break spaces become blanks.
+std::string plain_text(std::string_view cell);
+
+}  // namespace cgw::input

@@ -1,0 +1,301 @@
+#include "input/table_rows.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "base/edit_distance.hpp"
+#include "base/numbers.hpp"
+#include "input/table_values.hpp"
+#include "toml/document.hpp"
+
+namespace cgw::input {
+namespace {
+
+namespace rules = diagnostic::rules;
+using parameter::Device;
+
+enum class Column : std::uint8_t { device, number, name, value, unit };
+constexpr std::size_t column_count = 5;
+
+struct ColumnWord {
+    std::string_view word;
+    Column column;
+};
+
+constexpr ColumnWord column_words[] = {
+    {"device", Column::device}, {"gerät", Column::device},  {"number", Column::number},
+    {"no", Column::number},     {"no.", Column::number},    {"nr", Column::number},
+    {"nr.", Column::number},    {"nummer", Column::number}, {"parameter", Column::name},
+    {"name", Column::name},     {"value", Column::value},   {"wert", Column::value},
+    {"unit", Column::unit},     {"einheit", Column::unit},
+};
+
+bool same_word(std::string_view a, std::string_view b) {
+    return a.size() == b.size() && base::edit_distance(a, b) == 0;  // ignores case
+}
+
+std::optional<Column> column_of(std::string_view word) {
+    for (const ColumnWord& known : column_words) {
+        if (same_word(known.word, word)) {
+            return known.column;
+        }
+    }
+    return std::nullopt;
+}
+
+// Which cell of a row is which column.
+using Columns = std::array<std::optional<std::size_t>, column_count>;
+
+constexpr Columns usual_columns = {std::nullopt, 0, 1, 2, 3};
+
+std::optional<Columns> header_of(const CellLine& line) {
+    Columns columns{};
+    for (std::size_t i = 0; i < line.cells.size(); ++i) {
+        const std::optional<Column> column = column_of(line.cells[i].text);
+        std::optional<std::size_t>* const place =
+            column ? &columns[static_cast<std::size_t>(*column)] : nullptr;
+        if (place != nullptr && !*place) {
+            *place = i;
+        }
+    }
+    const auto has = [&](Column column) { return columns[static_cast<std::size_t>(column)].has_value(); };
+    const bool is_header = has(Column::number) && (has(Column::name) || has(Column::value));
+    return is_header ? std::optional<Columns>(columns) : std::nullopt;
+}
+
+bool consists_of(std::string_view text, std::string_view characters) {
+    return !text.empty() && text.find_first_not_of(characters) == std::string_view::npos;
+}
+
+bool has_dots(std::string_view text) {
+    return text.find("..") != std::string_view::npos || text.find("\xE2\x80\xA6") != std::string_view::npos ||
+           text == ":" || text == "\xE2\x8B\xAE";
+}
+
+// ":", "...", "…" in every cell that is not empty.
+bool is_ellipsis(const CellLine& line) {
+    bool any = false;
+    for (const Cell& cell : line.cells) {
+        std::string rest = cell.text;
+        for (const std::string_view dots : {"\xE2\x80\xA6", "\xE2\x8B\xAE"}) {
+            for (std::size_t at = rest.find(dots); at != std::string::npos; at = rest.find(dots)) {
+                rest.replace(at, dots.size(), ".");
+            }
+        }
+        if (!rest.empty() && !consists_of(rest, ".:")) {
+            return false;
+        }
+        any = any || !rest.empty();
+    }
+    return any;
+}
+
+// "|---|---:|", "--- --- ---", "====="
+bool is_rule(const CellLine& line) {
+    bool has_dash = false;
+    for (const Cell& cell : line.cells) {
+        if (!cell.text.empty() && !consists_of(cell.text, "-:=+_")) {
+            return false;
+        }
+        has_dash = has_dash || cell.text.find_first_of("-=_") != std::string::npos;
+    }
+    return has_dash;
+}
+
+// "7.1.1", "2.", "3)": sections and steps are numbered so, parameters are not.
+bool is_section_number(std::string_view text) {
+    int parts = text.ends_with('.') || text.ends_with(')') ? 1 : 0;
+    text.remove_suffix(static_cast<std::size_t>(parts));
+    for (std::size_t at = 0; at <= text.size();) {
+        const std::size_t end = std::min(text.find('.', at), text.size());
+        const std::string_view part = text.substr(at, end - at);
+        if (part.size() > 2 || !consists_of(part, "0123456789")) {
+            return false;
+        }
+        ++parts;
+        at = end + 1;
+    }
+    return parts > 1;
+}
+
+class RowReader {
+  public:
+    RowReader(const std::string& path, Device device, const parameter::Catalogue& catalogue,
+              diagnostic::Findings& findings)
+        : path_(path), device_(device), catalogue_(catalogue), findings_(findings) {}
+
+    void read(std::string_view line, std::uint32_t number, std::size_t skipped) {
+        CellLine cells = split_cells(line, number, commas_, skipped);
+        if (cells.cells.empty() || is_comment(cells) || is_rule(cells) || take_header(cells, line, skipped)) {
+            return;
+        }
+        if (is_ellipsis(cells)) {
+            report_ellipsis(cells.range);
+            return;
+        }
+        if (is_skipping_) {
+            return;
+        }
+        read_row(cells);
+    }
+
+    RowsRead take() { return std::move(result_); }
+
+  private:
+    static bool is_comment(const CellLine& line) {
+        const std::string_view first = line.cells.front().text;
+        return first.starts_with('#') || first.starts_with("//");
+    }
+
+    void report(const diagnostic::Rule& rule, const diagnostic::Range& where, std::string message,
+                std::string help = {}) {
+        findings_.report({&rule, std::move(message), {path_, where}, {}, std::move(help)});
+    }
+
+    bool take_header(const CellLine& line, std::string_view text, std::size_t skipped) {
+        const CellLine with_commas = split_cells(text, line.number, true, skipped);
+        const std::optional<Columns> by_commas =
+            with_commas.separation == Separation::commas ? header_of(with_commas) : std::nullopt;
+        const std::optional<Columns> columns = by_commas ? by_commas : header_of(line);
+        if (!columns) {
+            return false;
+        }
+        commas_ = by_commas.has_value();
+        header_size_ = by_commas ? with_commas.cells.size() : line.cells.size();
+        columns_ = *columns;
+        is_skipping_ = !columns_[static_cast<std::size_t>(Column::value)].has_value();
+        const bool in_words = !by_commas && line.separation == Separation::blanks;
+        if (is_skipping_) {
+            report(rules::table_row, line.range, "the header names no column Value, so no row has one");
+        } else if (in_words && columns_ != usual_columns &&
+                   columns_ != Columns{std::nullopt, 0, 1, 2, std::nullopt}) {
+            report(rules::table_row, line.range,
+                   "columns in another order than Number, Parameter, Value, Unit need a separator",
+                   "separate them with tabs or semicolons");
+            is_skipping_ = true;
+        }
+        return true;
+    }
+
+    void report_ellipsis(const diagnostic::Range& where) {
+        const std::string after =
+            result_.rows.empty() ? "" : fmt::format(" after {}", result_.rows.back().number.text);
+        report(rules::table_ellipsis, where, fmt::format("dots stand for rows that are left out{}", after),
+               "write the rows out, or delete this line if all of them are 0");
+    }
+
+    Cell cell(const CellLine& line, Column column) const {
+        const std::optional<std::size_t> place = columns_[static_cast<std::size_t>(column)];
+        return place && *place < line.cells.size() ? line.cells[*place] : Cell{"", line.range};
+    }
+
+    // Blanks separate: a row without a name, or without a unit, has its cells further left.
+    static TableRow row_of_words(const CellLine& line) {
+        const auto at = [&line](std::size_t i) {
+            return i < line.cells.size() ? line.cells[i] : Cell{"", line.range};
+        };
+        const std::size_t value = looks_like_number(at(1).text) ? 1 : 2;
+        return {at(0), value == 1 ? Cell{"", line.range} : at(1), at(value), at(value + 1)};
+    }
+
+    void read_row(const CellLine& line) {
+        const bool in_words = line.separation == Separation::blanks;
+        TableRow row = in_words ? row_of_words(line)
+                                : TableRow{cell(line, Column::number), cell(line, Column::name),
+                                           cell(line, Column::value), cell(line, Column::unit)};
+        const std::string& number = row.number.text;
+        if (number.empty() || number.front() < '0' || number.front() > '9' || is_section_number(number)) {
+            report_near_row(line, row);
+        } else if (has_dots(number) || has_dots(row.value.text)) {
+            report_ellipsis(line.range);
+        } else if (line.separation == Separation::commas && line.cells.size() > header_size_) {
+            report(rules::table_value_ambiguous, line.range,
+                   fmt::format("the row has {} cells below a header of {}: is one a decimal comma?",
+                               line.cells.size(), header_size_),
+                   "write decimals with a point, or separate the columns with semicolons");
+        } else if (is_number(row.number) && is_of_this_device(line)) {
+            result_.rows.push_back(std::move(row));
+        }
+    }
+
+    bool is_number(const Cell& cell) {
+        const auto number = base::parse_integer(cell.text);
+        if (number && *number > 0 && *number <= 65535 && consists_of(cell.text, "0123456789")) {
+            return true;
+        }
+        const bool has_name = cell.text.find(' ') != std::string::npos;
+        report(rules::table_row, cell.range,
+               fmt::format("{} is no parameter number", toml::quoted(cell.text)),
+               has_name ? "give number and name a column each" : "begin a line that is no row with #");
+        return false;
+    }
+
+    // False also for a device that nobody knows, after a finding.
+    bool is_of_this_device(const CellLine& line) {
+        if (!columns_[static_cast<std::size_t>(Column::device)] || line.separation == Separation::blanks) {
+            return true;
+        }
+        const Cell device = cell(line, Column::device);
+        for (const Device known : {Device::governor, Device::gateway}) {
+            if (same_word(device.text, parameter::to_text(known))) {
+                result_.of_other_device += known == device_ ? 0 : 1;
+                return known == device_;
+            }
+        }
+        report(rules::table_row, device.range,
+               fmt::format("device {} is neither governor nor gateway", toml::quoted(device.text)));
+        return false;
+    }
+
+    bool is_name(std::string_view text) const {
+        return !text.empty() && (catalogue_.find(Device::governor, text) != nullptr ||
+                                 catalogue_.find(Device::gateway, text) != nullptr);
+    }
+
+    // Text between the rows is no concern of ours, unless it is a row that lost its number.
+    void report_near_row(const CellLine& line, const TableRow& row) {
+        const bool has_value = std::any_of(line.cells.begin(), line.cells.end(),
+                                           [](const Cell& cell) { return looks_like_number(cell.text); });
+        const bool has_name =
+            is_name(row.number.text) || (is_name(row.name.text) && row.name.text != row.number.text);
+        const bool has_columns = line.separation != Separation::blanks && looks_like_number(row.value.text);
+        if ((has_name && has_value) || has_columns) {
+            const std::string found = row.number.text.empty() ? "no number" : toml::quoted(row.number.text);
+            report(rules::table_row, row.number.text.empty() ? line.range : row.number.range,
+                   fmt::format("a row has {} where its parameter's number belongs", found),
+                   "begin a line that is no row with #");
+        }
+    }
+
+    const std::string& path_;
+    Device device_;
+    const parameter::Catalogue& catalogue_;
+    diagnostic::Findings& findings_;
+    RowsRead result_;
+    Columns columns_ = usual_columns;
+    std::size_t header_size_ = 0;
+    bool commas_ = false;       // the header in force is separated by them
+    bool is_skipping_ = false;  // below a header that cannot be used
+};
+
+}  // namespace
+
+RowsRead read_rows(std::string_view text, const std::string& path, Device device,
+                   const parameter::Catalogue& catalogue, diagnostic::Findings& findings) {
+    constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+    RowReader reader(path, device, catalogue, findings);
+    std::size_t skipped = text.starts_with(byte_order_mark) ? byte_order_mark.size() : 0;
+    std::uint32_t number = 0;
+    for (std::size_t at = skipped; at < text.size();) {
+        const std::size_t end = std::min(text.find('\n', at), text.size());
+        reader.read(text.substr(at, end - at), ++number, skipped);
+        skipped = 0;
+        at = end + 1;
+    }
+    return reader.take();
+}
+
+}  // namespace cgw::input
