@@ -30,7 +30,7 @@ int run_new(const Arguments& arguments) {
 }  // namespace
 
 const Verb new_verb = {"new", "write a commented parameter file to begin with", new_options, run_new,
-                       "The file holds what most plants need. Values that nobody can guess, bit rates and\n"
-                       "node ids, are marked FILL IN; cgw check names those that are still missing."};
+                       "The file holds what most plants need. Values that nobody can guess, bit rates\n"
+                       "and node ids, are marked FILL IN; cgw check names those that are missing."};
 
 }  // namespace cgw::cli
