@@ -5,6 +5,7 @@
 
 #include "cli/cgw/artefact_options.hpp"
 #include "cli/cgw/exit_codes.hpp"
+#include "cli/cgw/output_file.hpp"
 #include "cli/cgw/shared_options.hpp"
 #include "cli/cgw/terminal.hpp"
 #include "cli/cgw/verbs.hpp"
@@ -108,11 +109,7 @@ constexpr Option emit_options[] = {
     {.names = "FILE",
      .summary = "parameter file; - is standard input; none with --generic",
      .completes = Completes::files},
-    {.names = "-o,--output",
-     .value = "PATH",
-     .summary = "output file; - is standard output",
-     .default_value = "-",
-     .completes = Completes::files},
+    text_output_option,
     artefact_format_option,
     generic_option,
     eds_name_option,

@@ -10,6 +10,8 @@ extern const Verb build_verb;
 extern const Verb emit_verb;
 extern const Verb list_verb;
 extern const Verb explain_verb;
+extern const Verb schema_verb;
+extern const Verb new_verb;
 extern const Verb import_table_verb;
 extern const Verb diff_verb;
 extern const Verb clone_verb;

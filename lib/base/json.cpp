@@ -130,6 +130,12 @@ JsonWriter& JsonWriter::null() {
     return *this;
 }
 
+JsonWriter& JsonWriter::json(std::string_view value) {
+    separate();
+    text_ += value;
+    return *this;
+}
+
 std::string JsonWriter::take() {
     text_ += '\n';
     return std::move(text_);

@@ -2,6 +2,7 @@
 // become U+FFFD, so that the output is always valid.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -21,6 +22,7 @@ class JsonWriter {
     JsonWriter& real(double value);
     JsonWriter& boolean(bool value);
     JsonWriter& null();
+    JsonWriter& json(std::string_view value);  // JSON text of a value, taken as it is
 
     // The finished document; call once, after the outermost end.
     std::string take();
@@ -34,5 +36,9 @@ class JsonWriter {
 };
 
 std::string json_quote(std::string_view value);
+
+// The same document for people: what does not fit on a line of `width` columns is broken and indented by two
+// blanks, with a line end at the end. `document` is valid JSON without blanks, as the writer makes it.
+std::string pretty_json(std::string_view document, std::size_t width = 110);
 
 }  // namespace cgw::base

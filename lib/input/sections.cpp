@@ -2,12 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <filesystem>
 #include <map>
 #include <optional>
 
 #include "base/numbers.hpp"
-#include "catalogue/catalogue.hpp"
 #include "input/table_reader.hpp"
 
 namespace cgw::input {
@@ -47,12 +45,17 @@ void read_created(Context& context, const Entry& entry) {
 }
 
 constexpr Key document_keys[] = {
-    {"created", Kind::local_date, optional, Limit::none, 0, 0, read_created},
+    {.name = "created",
+     .kind = Kind::local_date,
+     .read = read_created,
+     .text = "date of the artefacts; without it SOURCE_DATE_EPOCH, and without that 2004-05-19"},
     // 245: CreatedBy of an EDS (CiA 306).
     {"author", Kind::string, optional, Limit::bytes, 0, 245,
-     [](Context& context, const Entry& entry) { context.settings().document.author = entry.value.text; }},
+     [](Context& context, const Entry& entry) { context.settings().document.author = entry.value.text; },
+     "author of the file, for the EDS"},
     {"revision", Kind::integer, optional, Limit::value, 0, 255,
-     [](Context& context, const Entry& entry) { context.settings().document.revision = unsigned_of(entry); }},
+     [](Context& context, const Entry& entry) { context.settings().document.revision = unsigned_of(entry); },
+     "revision of the file: FileRevision of the EDS", "0"},
 };
 constexpr Table document_table{"document", document_keys};
 
@@ -71,12 +74,24 @@ void keep_governor_parameters(Context& context, const Entry& entry) {
 }
 
 constexpr Key governor_keys[] = {
-    {"profile", Kind::string, optional, Limit::none, 0, 0, read_profile},
+    {.name = "profile",
+     .kind = Kind::string,
+     .read = read_profile,
+     .text = "kind of governor",
+     .preset = "\"digital-governor\"",
+     .words = profiles},
     {"main_cycle_us", Kind::integer, optional, Limit::value, 1000, 1'000'000,
-     [](Context& context, const Entry& entry) { context.settings().main_cycle_us = unsigned_of(entry); }},
-    {"parameters", Kind::table, optional, Limit::none, 0, 0, keep_governor_parameters},
-    {"declare", Kind::array, optional, Limit::none, 0, 0,
-     [](Context& context, const Entry& entry) { context.postponed.declarations.push_back(&entry); }},
+     [](Context& context, const Entry& entry) { context.settings().main_cycle_us = unsigned_of(entry); },
+     "main cycle of the governor in microseconds; its times are whole numbers of it (D8)", "15625"},
+    {.name = "parameters",
+     .kind = Kind::table,
+     .read = keep_governor_parameters,
+     .text = "parameters of the governor, by number, by name, or by both as DcDesk 2000 prints them"},
+    {.name = "declare",
+     .kind = Kind::array,
+     .read = [](Context& context, const Entry& entry) { context.postponed.declarations.push_back(&entry); },
+     .text = "measurements, switches and sensors of this governor that the shipped catalogue does not know "
+             "(D13)"},
 };
 constexpr Table governor_table{"governor", governor_keys, parameter::Device::governor};
 
@@ -86,15 +101,18 @@ constexpr Key identity_keys[] = {
     {"software_version", Kind::integer, optional, Limit::value, 0, 65535,
      [](Context& context, const Entry& entry) {
          context.settings().identity.software_version = unsigned_of(entry);
-     }},
+     },
+     "software version of the gateway, 3842, for 1018h:3 (D32)", "0"},
     {"serial_date", Kind::integer, optional, Limit::value, 0, 9912,
      [](Context& context, const Entry& entry) {
          context.settings().identity.serial_date = unsigned_of(entry);
-     }},
+     },
+     "serial date of the gateway, 3844, for 1018h:4 (D32)", "0"},
     {"serial_number", Kind::integer, optional, Limit::value, 0, 65535,
      [](Context& context, const Entry& entry) {
          context.settings().identity.serial_number = unsigned_of(entry);
-     }},
+     },
+     "serial number of the gateway, 3845, for 1018h:4 (D32)", "0"},
 };
 constexpr Table identity_table{"gateway.identity", identity_keys};
 
@@ -113,11 +131,20 @@ void read_family(Context& context, const Entry& entry) {
 }
 
 // Values are taken by read_controller(), when the table as a whole is in order.
-void leave_it(Context& /*context*/, const Entry& /*entry*/) {}
-
 constexpr Key controller_keys[] = {
-    {"clock_hz", Kind::integer, required, Limit::value, 1, 1'000'000'000, leave_it},
-    {"family", Kind::string, required, Limit::none, 0, 0, read_family},
+    {.name = "clock_hz",
+     .kind = Kind::integer,
+     .presence = required,
+     .limit = Limit::value,
+     .minimum = 1,
+     .maximum = 1'000'000'000,
+     .text = "clock of the CAN controller in Hz"},
+    {.name = "family",
+     .kind = Kind::string,
+     .presence = required,
+     .read = read_family,
+     .text = "family of the CAN controller: it decides how bit timing registers become a bit rate (D7)",
+     .words = family_names},
 };
 
 std::optional<BitTiming> read_controller(Context& context, const Entry& entry, const Table& table) {
@@ -141,14 +168,22 @@ constexpr Table can1_table{"gateway.bit_timing.can1", controller_keys};
 constexpr Table can2_table{"gateway.bit_timing.can2", controller_keys};
 
 constexpr Key bit_timing_keys[] = {
-    {"can1", Kind::table, optional, Limit::none, 0, 0,
-     [](Context& context, const Entry& entry) {
-         context.settings().can1_bit_timing = read_controller(context, entry, can1_table);
-     }},
-    {"can2", Kind::table, optional, Limit::none, 0, 0,
-     [](Context& context, const Entry& entry) {
-         context.settings().can2_bit_timing = read_controller(context, entry, can2_table);
-     }},
+    {.name = "can1",
+     .kind = Kind::table,
+     .read =
+         [](Context& context, const Entry& entry) {
+             context.settings().can1_bit_timing = read_controller(context, entry, can1_table);
+         },
+     .text = "controller of CAN1, the HEINZMANN side",
+     .below = &can1_table},
+    {.name = "can2",
+     .kind = Kind::table,
+     .read =
+         [](Context& context, const Entry& entry) {
+             context.settings().can2_bit_timing = read_controller(context, entry, can2_table);
+         },
+     .text = "controller of CAN2, the CANopen side",
+     .below = &can2_table},
 };
 constexpr Table bit_timing_table{"gateway.bit_timing", bit_timing_keys};
 
@@ -157,21 +192,34 @@ void keep_gateway_parameters(Context& context, const Entry& entry) {
 }
 
 constexpr Key gateway_keys[] = {
-    {"identity", Kind::table, optional, Limit::none, 0, 0,
-     [](Context& context, const Entry& entry) { read_table(context, entry.value, identity_table); }},
-    {"bit_timing", Kind::table, optional, Limit::none, 0, 0,
-     [](Context& context, const Entry& entry) { read_table(context, entry.value, bit_timing_table); }},
-    {"parameters", Kind::table, optional, Limit::none, 0, 0, keep_gateway_parameters},
+    {.name = "identity",
+     .kind = Kind::table,
+     .text = "what 1018h shows of the gateway at hand",
+     .below = &identity_table},
+    {.name = "bit_timing",
+     .kind = Kind::table,
+     .text = "the CAN controllers; they serve only to verify bit timing set by hand (D7)",
+     .below = &bit_timing_table},
+    {.name = "parameters",
+     .kind = Kind::table,
+     .read = keep_gateway_parameters,
+     .text = "parameters of the gateway, by number, by name, or by both as DcDesk 2000 prints them"},
 };
 constexpr Table gateway_table{"gateway", gateway_keys, parameter::Device::gateway};
 
 // --- [network] ---
 
+constexpr Key node_id = {.name = "a node id",
+                         .kind = Kind::integer,
+                         .limit = Limit::value,
+                         .minimum = 1,
+                         .maximum = 127,
+                         .text = "node id of another node"};
+
 void read_nodes(Context& context, const Entry& entry) {
     std::map<std::int64_t, diagnostic::Range> listed;
     for (const Node& element : entry.value.elements) {
-        if (!check_type(context, element, Kind::integer, "a node id") ||
-            !check_integer(context, element, 1, 127, "a node id")) {
+        if (!check_value(context, element, node_id, node_id.name)) {
             continue;
         }
         const auto [first, is_new] = listed.try_emplace(element.integer, element.range);
@@ -187,26 +235,56 @@ void read_nodes(Context& context, const Entry& entry) {
     }
 }
 
-constexpr Key network_keys[] = {{"nodes", Kind::array, optional, Limit::none, 0, 0, read_nodes}};
+constexpr Key network_keys[] = {
+    {.name = "nodes",
+     .kind = Kind::array,
+     .read = read_nodes,
+     .text = "node ids of the other nodes on the CANopen bus, against which identifiers are checked (D33)",
+     .element = &node_id},
+};
 constexpr Table network_table{"network", network_keys};
 
 // --- the top of the file ---
 
 constexpr Key document_top_keys[] = {
-    {"format", Kind::integer, optional, Limit::none, 0, 0, leave_it},  // judged before anything else is read
+    // Judged before anything else is read.
+    {.name = "format",
+     .kind = Kind::integer,
+     .limit = Limit::value,
+     .minimum = parameter_file_format,
+     .maximum = parameter_file_format,
+     .text = "version of this file format"},
     // 200: with room for what an EDS adds in its Description of 243 bytes.
     {"title", Kind::string, optional, Limit::bytes, 1, 200,
-     [](Context& context, const Entry& entry) { context.settings().title = entry.value.text; }},
-    {"catalogue", Kind::array, optional, Limit::elements, 0, 16,
-     [](Context& context, const Entry& entry) { context.postponed.catalogues = &entry; }},
-    {"document", Kind::table, split, Limit::none, 0, 0,
-     [](Context& context, const Entry& entry) { read_table(context, entry.value, document_table); }},
-    {"governor", Kind::table, split, Limit::none, 0, 0,
-     [](Context& context, const Entry& entry) { read_table(context, entry.value, governor_table); }},
-    {"gateway", Kind::table, split, Limit::none, 0, 0,
-     [](Context& context, const Entry& entry) { read_table(context, entry.value, gateway_table); }},
-    {"network", Kind::table, split, Limit::none, 0, 0,
-     [](Context& context, const Entry& entry) { read_table(context, entry.value, network_table); }},
+     [](Context& context, const Entry& entry) { context.settings().title = entry.value.text; },
+     "name of the plant; it stands on every artefact"},
+    {.name = "catalogue",
+     .kind = Kind::array,
+     .limit = Limit::elements,
+     .maximum = 16,
+     .read = [](Context& context, const Entry& entry) { context.postponed.catalogues = &entry; },
+     .text = "catalogue files with parameters that cgw does not know; paths are relative to this file",
+     .element = &catalogue_name},
+    {.name = "document",
+     .kind = Kind::table,
+     .presence = split,
+     .text = "what EDS and report say about the file itself",
+     .below = &document_table},
+    {.name = "governor",
+     .kind = Kind::table,
+     .presence = split,
+     .text = "the digital governor",
+     .below = &governor_table},
+    {.name = "gateway",
+     .kind = Kind::table,
+     .presence = split,
+     .text = "the CANopen gateway",
+     .below = &gateway_table},
+    {.name = "network",
+     .kind = Kind::table,
+     .presence = split,
+     .text = "the rest of the CANopen network",
+     .below = &network_table},
 };
 
 constexpr Key joined_keys[] = {
@@ -215,24 +293,11 @@ constexpr Key joined_keys[] = {
 };
 constexpr Table top_table{"", document_top_keys, std::nullopt, joined_keys};
 
-// Where a catalogue's findings point: its name seen from where the user is.
-std::string beside(const std::string& file, const std::string& name) {
-    return file == "-" ? name : (std::filesystem::path(file).parent_path() / name).string();
-}
-
-void read_one_catalogue(Context& context, const Node& name, const CatalogueLoader& load) {
-    const base::Result<std::string> text = load(name.text);
-    if (!text) {
-        context.report(rules::catalogue_unreadable, name.range, text.error().message);
-        return;
-    }
-    const std::string path = beside(context.path, name.text);
-    context.file.catalogues.push_back(name.text);
-    context.file.sources[path] = *text;
-    catalogue::read_catalogue(*text, path, context.catalogue, context.findings);
-}
-
 }  // namespace
+
+const Table& file_table() {
+    return top_table;
+}
 
 const toml::Entry* misspelt_at_top(const Node& document, std::string_view name) {
     return misspelt(document, top_table, name);
@@ -240,39 +305,6 @@ const toml::Entry* misspelt_at_top(const Node& document, std::string_view name) 
 
 void read_sections(Context& context, const Node& document) {
     read_table(context, document, top_table);
-}
-
-void read_catalogues(Context& context, const CatalogueLoader& load) {
-    if (context.postponed.catalogues == nullptr) {
-        return;
-    }
-    constexpr std::int64_t longest_path = 4096;
-    std::map<std::string, diagnostic::Range> named;
-    for (const Node& name : context.postponed.catalogues->value.elements) {
-        if (!check_type(context, name, Kind::string, "a catalogue's name") ||
-            !check_text(context, name, 1, longest_path, "a catalogue's name")) {
-            continue;
-        }
-        const auto [first, is_new] = named.try_emplace(name.text, name.range);
-        if (is_new) {
-            read_one_catalogue(context, name, load);
-            continue;
-        }
-        context.findings.report({&rules::key_value,
-                                 fmt::format("catalogue {} is named twice", toml::quoted(name.text)),
-                                 context.at(name.range),
-                                 {{context.at(first->second), "first named here"}}});
-    }
-}
-
-void read_declarations(Context& context) {
-    for (const Entry* declarations : context.postponed.declarations) {
-        for (const Node& table : declarations->value.elements) {
-            if (check_type(context, table, Kind::table, "a declaration")) {
-                catalogue::read_declaration(table, context.path, context.catalogue, context.findings);
-            }
-        }
-    }
 }
 
 }  // namespace cgw::input

@@ -171,6 +171,10 @@ const Key* meant_table(const Node& node, const Entry& entry, const Table& table,
 
 }  // namespace
 
+bool check_value(Context& context, const Node& value, const Key& key, std::string_view what) {
+    return check_type(context, value, key.kind, what) && check_limit(context, value, key, what);
+}
+
 const Entry* misspelt(const Node& node, const Table& table, std::string_view name) {
     const std::vector<std::string_view> names = names_of(table.keys);
     const auto is_meant = [&](const Entry& entry) {
@@ -195,9 +199,13 @@ void read_table(Context& context, const Node& node, const Table& table) {
             }
         }
         const std::string what = toml::quoted(entry.key);
-        if (check_type(context, entry.value, key->kind, what) &&
-            check_limit(context, entry.value, *key, what)) {
+        if (!check_value(context, entry.value, *key, what)) {
+            continue;
+        }
+        if (key->read != nullptr) {
             key->read(context, entry);
+        } else if (key->below != nullptr) {
+            read_table(context, entry.value, *key->below);
         }
     }
     for (const Key& key : table.keys) {

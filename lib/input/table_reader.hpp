@@ -24,6 +24,8 @@ enum class Presence : std::uint8_t {
     split,  // optional, and spread over the file by its headers: a second one under a misspelt name is likely
 };
 
+struct Table;
+
 struct Key {
     std::string_view name;
     toml::Kind kind;
@@ -31,7 +33,13 @@ struct Key {
     Limit limit = Limit::none;
     std::int64_t minimum = 0;
     std::int64_t maximum = 0;
-    void (*read)(Context&, const toml::Entry&) = nullptr;  // called when type and limits hold
+    // Called when type and limits hold; without it the table `below` is read.
+    void (*read)(Context&, const toml::Entry&) = nullptr;
+    std::string_view text{};                    // what it means, one line, for editors
+    std::string_view preset{};                  // its value when it is absent, as TOML and JSON write it
+    const Table* below = nullptr;               // of a table: its keys, where they are fixed
+    const Key* element = nullptr;               // of a list: what its elements are; each stands there once
+    std::span<const std::string_view> words{};  // of a string: the values it may have
 };
 
 struct Table {
@@ -51,6 +59,7 @@ void read_table(Context& context, const toml::Node& node, const Table& table);
 const toml::Entry* misspelt(const toml::Node& node, const Table& table, std::string_view name);
 
 // False after a finding. `what` names the value in messages.
+bool check_value(Context& context, const toml::Node& value, const Key& key, std::string_view what);
 bool check_type(Context& context, const toml::Node& value, toml::Kind kind, std::string_view what);
 bool check_integer(Context& context, const toml::Node& value, std::int64_t minimum, std::int64_t maximum,
                    std::string_view what);

@@ -82,3 +82,40 @@ TEST(JsonWriter, stays_valid_whatever_the_bytes) {
     EXPECT_EQ(base::json_quote("\xC3\xA4"), "\"\xC3\xA4\"");
     EXPECT_EQ(base::json_quote("\xFFx"), "\"\xEF\xBF\xBDx\"");
 }
+
+TEST(JsonWriter, takes_finished_values_as_they_are) {
+    base::JsonWriter json;
+    json.begin_array().json("{\"a\":1}").json("true").end_array();
+    EXPECT_EQ(json.take(), "[{\"a\":1},true]\n");
+}
+
+TEST(PrettyJson, keeps_on_a_line_what_fits_and_breaks_the_rest) {
+    const std::string_view document = R"({"a":[1,2],"b":{"c":"x, y: z","d":[]},"e":{}})";
+    EXPECT_EQ(base::pretty_json(document, 60),
+              "{\"a\": [1, 2], \"b\": {\"c\": \"x, y: z\", \"d\": []}, \"e\": {}}\n");
+    EXPECT_EQ(base::pretty_json(document, 36),
+              "{\n"
+              "  \"a\": [1, 2],\n"
+              "  \"b\": {\"c\": \"x, y: z\", \"d\": []},\n"
+              "  \"e\": {}\n"
+              "}\n");
+    EXPECT_EQ(base::pretty_json(R"(["long",[1,[2]]])", 8),
+              "[\n"
+              "  \"long\",\n"
+              "  [\n"
+              "    1,\n"
+              "    [2]\n"
+              "  ]\n"
+              "]\n");
+}
+
+TEST(PrettyJson, is_not_led_astray_by_strings) {
+    const std::string_view document = R"({"a}\"":"\\","b":"[,\"]"})";
+    EXPECT_EQ(base::pretty_json(document, 5),
+              "{\n"
+              "  \"a}\\\"\": \"\\\\\",\n"
+              "  \"b\": \"[,\\\"]\"\n"
+              "}\n");
+    EXPECT_EQ(base::pretty_json("[]\n"), "[]\n");
+    EXPECT_EQ(base::pretty_json("12"), "12\n");
+}

@@ -659,6 +659,71 @@ class Emit(Verb):
         self.assertEqual(cgw("emit", "eds", GENSET, "-o", target, "--list-outputs").stdout.decode(), f"{target}\n")
 
 
+class Schema(Verb):
+    def test_prints_a_schema_that_writes_and_checks_itself(self):
+        printed = cgw("schema")
+        self.assertEqual((printed.returncode, printed.stderr), (0, b""))
+        self.assertEqual(json.loads(printed.stdout)["$schema"], "http://json-schema.org/draft-07/schema#")
+        target = self.dir / "s.json"
+        missing = cgw("schema", "--check", "-o", target)
+        self.assertEqual(missing.returncode, 1)
+        self.assertIn(f"{target} is missing or stale; run cgw schema -o {target}", missing.stderr.decode())
+        self.assertEqual(cgw("schema", "-o", target).returncode, 0)
+        self.assertEqual(target.read_bytes(), printed.stdout)
+        self.assertEqual(cgw("schema", "--check", "-o", target).returncode, 0)
+        target.write_bytes(printed.stdout + b" ")
+        self.assertEqual(cgw("schema", "--check", "-o", target).returncode, 1)
+
+    def test_check_needs_a_file_and_writing_can_fail(self):
+        self.assertEqual(cgw("schema", "--check").returncode, 2)
+        self.assertEqual(cgw("schema", "-o", self.dir / "none" / "s.json").returncode, 3)
+        with open("/dev/full", "wb") as full:
+            self.assertEqual(cgw("schema", stdout=full).returncode, 3)
+
+    def test_the_samples_name_the_schema(self):
+        for path in SAMPLES.rglob("*.toml"):
+            directive, name = path.read_text().split("\n")[0].split(" ")
+            self.assertEqual(directive, "#:schema", path)
+            self.assertTrue((path.parent / name).samefile(SAMPLES.parent / "schemas/parameter-file.schema.json"), path)
+
+
+class New(Verb):
+    VALUES = {"416 CanBaudrate": 250, "416 HzmCanBaudrate": 250, "426 CanOpenBaudrate": 125, "427 CanOpenMyNodeID": 5,
+              "428 CanOpenPartnerNodeID": 127}
+
+    def test_is_refused_for_its_five_values_and_clean_with_them(self):
+        path = self.dir / "plant.toml"
+        self.assertEqual(cgw("new", "-o", path, "--title", "Genset 2").returncode, 0)
+        text = path.read_text()
+        self.assertEqual(re.findall(r'^# FILL IN: .*\n# .*\n# "(.*)" =$', text, re.M), list(self.VALUES))
+        report = json.loads(cgw("check", path, "--format", "json").stdout)
+        errors = [f["message"] for f in report["files"][0]["diagnostics"] if f["level"] == "error"]
+        self.assertEqual(len(errors), 5, errors)
+        for label in self.VALUES:
+            self.assertEqual(sum(label in message for message in errors), 1, (label, errors))
+        for label, value in self.VALUES.items():
+            text = text.replace(f'# "{label}" =\n', f'"{label}" = {value}\n')
+        path.write_text(text)
+        self.assertTrue(cgw("check", path).stdout.decode().startswith(f"{path}: valid, no findings\n"))
+        self.assertIn(b"Genset 2", cgw("emit", "pdo-table", path).stdout)
+
+    def test_overwrites_nothing_unless_told_to(self):
+        path = self.dir / "plant.toml"
+        path.write_text("mine")
+        refused = cgw("new", "-o", path)
+        self.assertEqual((refused.returncode, refused.stdout), (2, b""))
+        self.assertIn(f"{path} exists; --force overwrites it", refused.stderr.decode())
+        self.assertEqual(path.read_text(), "mine")
+        self.assertEqual(cgw("new", "-o", path, "--force").returncode, 0)
+        self.assertEqual(path.read_bytes(), cgw("new").stdout)
+
+    def test_wrong_titles_and_places_are_refused(self):
+        self.assertEqual(cgw("new", "--title", "").returncode, 2)
+        self.assertEqual(cgw("new", "--title", "x" * 201).returncode, 2)
+        self.assertEqual(cgw("new", "-o", self.dir / "none" / "x.toml").returncode, 3)
+        self.assertEqual(cgw("new", "-o", self.dir).returncode, 3)
+
+
 class Image(Verb):
     def setUp(self):
         super().setUp()

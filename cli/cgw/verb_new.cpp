@@ -1,0 +1,36 @@
+#include <fmt/format.h>
+
+#include <filesystem>
+
+#include "authoring/new_file.hpp"
+#include "catalogue/catalogue.hpp"
+#include "cli/cgw/output_file.hpp"
+#include "cli/cgw/verbs.hpp"
+
+namespace cgw::cli {
+namespace {
+
+constexpr Option new_options[] = {
+    text_output_option,
+    title_option,
+    {.names = "--force", .summary = "overwrite a file that exists"},
+};
+
+int run_new(const Arguments& arguments) {
+    const std::string output = arguments.value("--output");
+    const std::string title = title_of(arguments);
+    std::error_code ignored;
+    if (output != "-" && !arguments.given("--force") && std::filesystem::is_regular_file(output, ignored)) {
+        throw UsageError(fmt::format("{} exists; --force overwrites it", output));
+    }
+    const parameter::Catalogue catalogue(catalogue::shipped_rows());
+    return write_text(output, authoring::new_file_text(title, catalogue));
+}
+
+}  // namespace
+
+const Verb new_verb = {"new", "write a commented parameter file to begin with", new_options, run_new,
+                       "The file holds what most plants need. Values that nobody can guess, bit rates\n"
+                       "and node ids, are marked FILL IN; cgw check names those that are missing."};
+
+}  // namespace cgw::cli
