@@ -2,9 +2,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "check/subjects.hpp"
 #include "check/support.hpp"
+#include "config/bit_rate.hpp"
 #include "config/numbers.hpp"
 
 namespace cgw::check {
@@ -71,12 +73,53 @@ void report_exchanged(const Context& context, const HzmNodes& nodes) {
                          nodes.gateway_in_governor->value, gateway::governor_node, nodes.governor->value)});
 }
 
-// D17: a rate is known only where the timing registers are not set by hand.
-const Assignment* known_bit_rate(const Context& context, Device device, std::uint16_t rate,
-                                 std::uint16_t manual) {
+bool is_manual(const Context& context, Device device, std::uint16_t manual) {
     const parameter::ParameterSet& set = context.settings.of(device);
-    const bool is_manual = set.value(manual) != 0 || set.rejected(manual);
-    return is_manual ? nullptr : usable(context, device, rate);
+    return set.value(manual) != 0 || set.rejected(manual);
+}
+
+// A rate is known from its parameter, or for the gateway from its registers with a stated clock (D7, D17).
+struct KnownRate {
+    double kbit = 0;
+    const Assignment* place = nullptr;  // null: the rate is not known
+    std::string source{};               // "the governor's 416 CanBaudrate"
+};
+
+KnownRate governor_rate(const Context& context) {
+    const bool manual = is_manual(context, Device::governor, governor::manual_timing);
+    const Assignment* rate = usable(context, Device::governor, governor::bit_rate);
+    if (manual || rate == nullptr) {
+        return {};
+    }
+    return {rate->value, rate, owned_label(context, Device::governor, governor::bit_rate)};
+}
+
+KnownRate gateway_rate(const Context& context) {
+    if (!is_manual(context, Device::gateway, hzm_manual_timing)) {
+        const Assignment* rate = usable(context, Device::gateway, hzm_bit_rate);
+        return rate == nullptr
+                   ? KnownRate{}
+                   : KnownRate{rate->value, rate, owned_label(context, Device::gateway, hzm_bit_rate)};
+    }
+    const Assignment* manual = usable(context, Device::gateway, hzm_manual_timing);
+    constexpr int registers = 6;
+    for (int i = 0; i < registers; ++i) {
+        if (context.settings.gateway.rejected(static_cast<std::uint16_t>(gateway::hzm_prescaler + i))) {
+            return {};
+        }
+    }
+    if (manual == nullptr || !context.settings.can1_bit_timing) {
+        return {};
+    }
+    const std::uint32_t rate =
+        config::bit_rate(context.configuration.can1, *context.settings.can1_bit_timing);
+    return {rate / 1000.0, manual, "the gateway's bit timing by hand"};
+}
+
+// A rate computed from a clock is rarely round; no CAN bus works with oscillators that are 1 % apart.
+bool rates_differ(double one, double other) {
+    constexpr double tolerance = 0.01;
+    return std::abs(one - other) > tolerance * one;
 }
 
 void check_switched_on(const Context& context, Device device, std::uint16_t number,
@@ -114,20 +157,19 @@ void check_hzm_nodes(const Context& context) {
 }
 
 void check_hzm_bit_rates(const Context& context) {
-    const Assignment* of_governor =
-        known_bit_rate(context, Device::governor, governor::bit_rate, governor::manual_timing);
-    const Assignment* of_gateway = known_bit_rate(context, Device::gateway, hzm_bit_rate, hzm_manual_timing);
-    if (!differ(of_governor, of_gateway)) {
+    const KnownRate of_governor = governor_rate(context);
+    const KnownRate of_gateway = gateway_rate(context);
+    if (of_governor.place == nullptr || of_gateway.place == nullptr ||
+        !rates_differ(of_governor.kbit, of_gateway.kbit)) {
         return;
     }
     context.findings.report(
         {.rule = &rules::hzm_bit_rate_mismatch,
-         .message =
-             fmt::format("{} is {}, but {} is {}; both share the HEINZMANN CAN bus (manual 7.1.1)",
-                         owned_label(context, Device::governor, governor::bit_rate), quantity(*of_governor),
-                         owned_label(context, Device::gateway, hzm_bit_rate), quantity(*of_gateway)),
-         .where = of_governor->where,
-         .related = {here(*of_gateway)}});
+         .message = fmt::format("{} is {} kbit/s, but {} is {} kbit/s; both share the HEINZMANN CAN bus "
+                                "(manual 7.1.1)",
+                                of_governor.source, of_governor.kbit, of_gateway.source, of_gateway.kbit),
+         .where = of_governor.place->where,
+         .related = {here(*of_gateway.place)}});
 }
 
 void check_start_up_delays(const Context& context) {
@@ -168,7 +210,8 @@ void check_comparable_bit_rates(const Context& context) {
     const Assignment* of_governor = usable(context, Device::governor, governor::manual_timing);
     const Assignment* of_gateway = usable(context, Device::gateway, hzm_manual_timing);
     const auto is_on = [](const Assignment* manual) { return manual != nullptr && manual->value == 1; };
-    const Assignment* place = is_on(of_governor) ? of_governor : is_on(of_gateway) ? of_gateway : nullptr;
+    const bool gateway_open = is_on(of_gateway) && !context.settings.can1_bit_timing;
+    const Assignment* place = is_on(of_governor) ? of_governor : gateway_open ? of_gateway : nullptr;
     if (place == nullptr) {
         return;
     }
@@ -178,7 +221,7 @@ void check_comparable_bit_rates(const Context& context) {
                                "cannot be verified (manual 7.1.1)",
                                owned_label(context, place->row->device, place->row->number)),
         .where = place->where};
-    if (place != of_gateway && is_on(of_gateway)) {
+    if (place != of_gateway && gateway_open) {
         finding.related = {here(*of_gateway)};
     }
     context.findings.report(std::move(finding));

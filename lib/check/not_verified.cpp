@@ -32,9 +32,7 @@ std::string governor_timing(const Context& context) {
 
 std::string gateway_timing(const Context& context) {
     return context.configuration.can1.manual && !context.settings.can1_bit_timing
-               ? fmt::format(
-                     "HEINZMANN CAN bus: the gateway's bit rate, set by hand ({} = 1), clock not stated",
-                     gateway::hzm_manual_timing)
+               ? "HEINZMANN CAN bus: the gateway's bit rate, set by hand, clock not stated"
                : "";
 }
 
@@ -55,8 +53,7 @@ std::string unnamed_switches(const Context& context) {
     }
     return numbers.empty()
                ? ""
-               : fmt::format("switch functions {}: not in the catalogue; does the governor have them?",
-                             listed(numbers));
+               : fmt::format("switch functions {}: whether this governor has them", listed(numbers));
 }
 
 std::string unnamed_sensors(const Context& context) {
@@ -66,9 +63,7 @@ std::string unnamed_sensors(const Context& context) {
             numbers.push_back(sensor.row->number);
         }
     }
-    return numbers.empty() ? ""
-                           : fmt::format("sensors {}: not in the catalogue; does the governor have them?",
-                                         listed(numbers));
+    return numbers.empty() ? "" : fmt::format("sensors {}: whether this governor has them", listed(numbers));
 }
 
 std::string other_nodes(const Context& context) {
@@ -79,7 +74,7 @@ std::string other_nodes(const Context& context) {
     if (nodes.empty()) {
         return "other nodes: their ids and identifiers; [network] lists none";
     }
-    return fmt::format("other nodes: whether {} use their default identifiers only", listed(nodes));
+    return fmt::format("other nodes: identifiers beyond the default ones of {}", listed(nodes));
 }
 
 std::string devices(const Context& /*context*/) {

@@ -32,14 +32,14 @@ TEST(NotVerified, are_other_nodes_beyond_what_the_file_lists) {
     PlantBuilder plant;
     EXPECT_EQ(open_questions(plant.minimal()), no_nodes);
     EXPECT_EQ(open_questions(plant.network_node(2).network_node(3)),
-              "other nodes: whether 2, 3 use their default identifiers only");
+              "other nodes: identifiers beyond the default ones of 2, 3");
 }
 
 TEST(NotVerified, is_a_bit_rate_whose_clock_is_not_stated) {
     PlantBuilder plant;
     plant.minimal().governor(4416, 1).gateway(4416, 1).gateway(4426, 1).network_node(2);
     const std::string governor = "HEINZMANN CAN bus: the governor's bit rate, set by hand (4416 = 1)\n";
-    const std::string rest = "other nodes: whether 2 use their default identifiers only";
+    const std::string rest = "other nodes: identifiers beyond the default ones of 2";
     EXPECT_EQ(open_questions(plant),
               governor +
                   "HEINZMANN CAN bus: the gateway's bit rate, set by hand, clock not stated\n"
@@ -55,8 +55,8 @@ TEST(NotVerified, are_switches_and_sensors_that_no_catalogue_names) {
     plant.minimal().governor(811, 1).governor(4811, 3).governor(929, 2).governor(4929, 3);
     plant.governor(812, 5).governor(4812, 1);  // a hardware input
     EXPECT_EQ(open_questions(plant),
-              "switch functions 811: not in the catalogue; does the governor have them?\n"
-              "sensors 929: not in the catalogue; does the governor have them?\n" +
+              "switch functions 811: whether this governor has them\n"
+              "sensors 929: whether this governor has them\n" +
                   std::string(no_nodes));
     for (std::uint16_t number = 820; number < 830; ++number) {
         plant.governor(number, 2).governor(static_cast<std::uint16_t>(number + 4000), 3);

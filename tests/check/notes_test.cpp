@@ -112,4 +112,21 @@ TEST(ManualTiming, makes_the_bit_rates_incomparable) {
     EXPECT_EQ(findings_of("[gateway.parameters]\n4426 = 1\n"), "");
 }
 
+// The registers of 16 MHz, MCP2515: (BRP) 1 is 250 kbit/s, 0 is 500 kbit/s.
+TEST(ManualTiming, of_the_gateway_is_compared_when_its_clock_is_stated) {
+    const auto with_prescaler = [](int prescaler) {
+        return findings_of(fmt::format(
+            "[gateway]\nbit_timing = {{ can1 = {{ clock_hz = 16000000, family = \"mcp2515\" }} }}\n"
+            "[gateway.parameters]\n4416 = 1\n410 = {}\n413 = 6\n414 = 1\n415 = 5\n",
+            prescaler));
+    };
+    EXPECT_EQ(with_prescaler(1), "");
+    EXPECT_EQ(with_prescaler(0),
+              "7:7 E0202 hzm-bit-rate-mismatch: the governor's 416 CanBaudrate is 250 kbit/s, but the "
+              "gateway's bit "
+              "timing by hand is 500 kbit/s; both share the HEINZMANN CAN bus (manual 7.1.1)\n"
+              "  see 19:8: the gateway's 4416 HzmCanSegmOrBaudrate is 1 here\n");
+    EXPECT_EQ(with_prescaler(400).find("E0202"), std::string::npos);
+}
+
 }  // namespace cgw::check

@@ -4,24 +4,33 @@ import io
 import json
 import os
 import pathlib
+import pty
 import re
 import shutil
 import subprocess
 import tempfile
 import unittest
+import urllib.parse
 
 import jsonschema
 
 CGW = os.environ["CGW"]
 SAMPLES = pathlib.Path(os.environ["CGW_SAMPLES"])
 GENSET = str(SAMPLES / "genset.toml")
+MANUAL = str(SAMPLES / "manual-example.toml")
+CLEAN_GENSET = """: valid, no findings
+  not verified:
+  - sensors 902, 903, 910: whether this governor has them
+  - other nodes: identifiers beyond the default ones of 1, 11
+  - both devices: whether they hold these values; compare in DcDesk
+"""
 ARTEFACTS = ["CANopenGateway.eds", "gateway-config.bin", "pdo-table.csv", "pdo-table.json", "pdo-table.md"]
 
 
-def cgw(*arguments, stdin=None, stdout=subprocess.PIPE, **environment):
+def cgw(*arguments, stdin=None, stdout=subprocess.PIPE, directory=None, **environment):
     clean = {k: v for k, v in os.environ.items() if k not in ("NO_COLOR", "SOURCE_DATE_EPOCH")}
     return subprocess.run([CGW, *map(str, arguments)], input=stdin, stdout=stdout, stderr=subprocess.PIPE,
-                          env={**clean, **environment}, timeout=120)
+                          env={**clean, **environment}, cwd=directory, timeout=120)
 
 
 class Verb(unittest.TestCase):
@@ -50,7 +59,7 @@ class Check(Verb):
         for name in ("manual-example.toml", "minimal.toml", "genset.toml"):
             result = cgw("check", SAMPLES / name)
             self.assertEqual((result.returncode, result.stderr), (0, b""), name)
-        self.assertEqual(cgw("check", GENSET).stdout.decode(), f"{GENSET}: valid, no findings\n")
+        self.assertEqual(cgw("check", GENSET).stdout.decode(), f"{GENSET}{CLEAN_GENSET}")
 
     def test_every_bad_sample_is_refused_with_findings_on_stdout(self):
         bad = sorted((SAMPLES / "bad").glob("*.toml"))
@@ -90,7 +99,7 @@ class Check(Verb):
             jsonschema.validate(json.loads(report.stdout), schema)
 
     def test_a_missing_file_is_exit_3_in_every_format(self):
-        for format in ("human", "concise", "json"):
+        for format in ("human", "concise", "json", "sarif", "github"):
             result = cgw("check", self.dir / "none.toml", "--format", format)
             self.assertEqual(result.returncode, 3)
             self.assertIn(b"No such file", result.stdout)
@@ -105,7 +114,7 @@ class Check(Verb):
 
     def test_standard_input(self):
         result = cgw("check", "-", stdin=pathlib.Path(GENSET).read_bytes())
-        self.assertEqual((result.returncode, result.stdout), (0, b"<stdin>: valid, no findings\n"))
+        self.assertEqual((result.returncode, result.stdout.decode()), (0, f"<stdin>{CLEAN_GENSET}"))
         result = cgw("check", "-", stdin=b"format = 1\ntitle = ")
         self.assertEqual(result.returncode, 1)
         self.assertIn(b"<stdin>:2:", result.stdout)
@@ -139,6 +148,141 @@ class Check(Verb):
         self.assertIn(b"\x1b[1;31m", cgw("check", path, "--color", "always").stdout)
         self.assertNotIn(b"\x1b", cgw("check", path, "--color", "never").stdout)
 
+    def on_a_terminal(self, *arguments, **environment):
+        """What arrives at the other end of a pseudo-terminal."""
+        ours, theirs = pty.openpty()
+        try:
+            result = cgw(*arguments, stdout=theirs, **environment)
+            os.close(theirs)
+            text = b""
+            while True:
+                try:
+                    part = os.read(ours, 65536)
+                except OSError:  # the other end is closed and everything is read
+                    break
+                if not part:
+                    break
+                text += part
+            return result.returncode, text
+        finally:
+            os.close(ours)
+
+    def test_colour_on_a_terminal_unless_the_environment_objects(self):
+        path, _ = self.bad()
+        for expected, arguments, environment in (
+                (True, [], {"TERM": "xterm"}), (True, [], {"TERM": "xterm", "NO_COLOR": ""}),
+                (False, [], {"TERM": "xterm", "NO_COLOR": "1"}), (False, [], {"TERM": "dumb"}),
+                (False, ["--color", "never"], {"TERM": "xterm"}),
+                (True, ["--color", "always"], {"TERM": "dumb", "NO_COLOR": "1"}),
+                (False, ["--format", "json"], {"TERM": "xterm"}), (False, ["--format", "github"], {"TERM": "xterm"}),
+                (False, ["--format", "concise"], {"TERM": "xterm"})):
+            code, text = self.on_a_terminal("check", path, *arguments, **environment)
+            self.assertEqual((code, b"\x1b[" in text), (1, expected), (arguments, environment, text))
+
+    def names(self, *arguments):
+        """Exit code, and level and name of every finding."""
+        result = cgw("check", *arguments, "--format", "concise")
+        return result.returncode, re.findall(r": (error|warning|note): .*\[E\d{4} ([a-z0-9-]+)\]", result.stdout.decode())
+
+    def test_the_manuals_example_has_five_warnings_and_eight_notes(self):
+        code, found = self.names(MANUAL)
+        self.assertEqual((code, len(found)), (0, 13))
+        self.assertEqual(sum(level == "warning" for level, _ in found), 5)
+        self.assertIn("valid, 5 warnings, 8 notes", cgw("check", MANUAL).stdout.decode())
+        lines = cgw("check", "manual-example.toml", directory=SAMPLES).stdout.decode().split("\n")
+        self.assertEqual([line for line in lines if len(line) > 80], [])
+
+    def test_warnings_and_notes_can_be_hidden_and_shown_again(self):
+        everything = self.names(MANUAL)[1]
+        for name in ("monitoring-early", "time-quantised"):
+            self.assertEqual(self.names(MANUAL, "-W", f"no-{name}")[1], [f for f in everything if f[1] != name])
+            self.assertEqual(self.names(MANUAL, "-W", f"no-{name}", "-W", name)[1], everything)
+            self.assertEqual(self.names(MANUAL, "-W", name, "-W", f"no-{name}")[1],
+                             [f for f in everything if f[1] != name])
+
+    def test_werror_makes_errors_of_the_warnings_that_are_left(self):
+        code, found = self.names(MANUAL, "--werror")
+        self.assertEqual(code, 1)
+        self.assertEqual([level for level, _ in found].count("error"), 5)
+        self.assertEqual([level for level, _ in found].count("note"), 8)
+        hidden = [word for name in ("monitoring-early", "rpdo-unmonitored", "tpdo-empty") for word in ("-W", f"no-{name}")]
+        code, found = self.names(MANUAL, "--werror", *hidden)
+        self.assertEqual((code, {level for level, _ in found}), (0, {"note"}))
+        text = cgw("check", MANUAL, "--werror").stdout.decode()
+        self.assertIn("not valid, 5 errors, 8 notes", text)
+        self.assertNotIn("not verified", text)
+
+    def test_what_is_not_verified_is_in_human_and_json_only(self):
+        lines = [line[4:] for line in CLEAN_GENSET.split("\n") if line.startswith("  - ")]
+        document = json.loads(cgw("check", GENSET, self.bad()[0], "--format", "json").stdout)
+        self.assertEqual([f["not_verified"] for f in document["files"]], [lines, []])
+        for format in ("concise", "github", "sarif"):
+            self.assertNotIn(b"both devices", cgw("check", GENSET, "--format", format).stdout.split(b'"results"')[-1])
+
+    def test_github_commands_name_the_place(self):
+        path, line = self.bad()
+        result = cgw("check", path, MANUAL, "--format", "github")
+        self.assertEqual((result.returncode, result.stderr), (1, b""))
+        commands = result.stdout.decode().splitlines()
+        self.assertEqual(len(commands), 14)
+        self.assertTrue(commands[0].startswith(f"::error file={path},line={line},col=7,endLine={line},endColumn=10,"
+                                               "title=E0111 value-range::427 CanOpenMyNodeID is 200,"), commands[0])
+        self.assertEqual({c.split(" ")[0] for c in commands[1:]}, {"::warning", "::notice"})
+        self.assertEqual(cgw("check", GENSET, "--format", "github").stdout, b"")
+
+
+class Sarif(Verb):
+    def log(self, *arguments, **environment):
+        result = cgw("check", *arguments, "--format", "sarif", **environment)
+        self.assertEqual(result.stderr, b"")
+        log = json.loads(result.stdout)
+        jsonschema.validate(log, json.loads((pathlib.Path(__file__).parent / "sarif.schema.json").read_text()))
+        return result.returncode, log["runs"][0]
+
+    def test_every_finding_is_a_result_of_its_rule(self):
+        paths = [*sorted((SAMPLES / "bad").glob("*.toml")), MANUAL, GENSET, self.dir / "none.toml"]
+        code, run = self.log(*paths)
+        self.assertEqual(code, 3)
+        driver = run["tool"]["driver"]
+        self.assertEqual(driver["semanticVersion"], os.environ["CGW_VERSION"])
+        self.assertEqual([rule["id"] for rule in driver["rules"]], sorted(rule["id"] for rule in driver["rules"]))
+        self.assertEqual(len(run["artifacts"]), len(paths))
+        documents = json.loads(cgw("check", *paths, "--format", "json").stdout)["files"]
+        findings = [finding for file in documents for finding in file["diagnostics"]]
+        self.assertEqual(len(run["results"]), len(findings))
+        for result, finding in zip(run["results"], findings):
+            rule = driver["rules"][result["ruleIndex"]]
+            self.assertEqual((rule["id"], rule["name"]), (finding["code"], finding["name"]))
+            self.assertEqual((result["ruleId"], result["level"]), (finding["code"], finding["level"]))
+            self.assertTrue(result["message"]["text"].startswith(finding["message"]))
+            self.assertEqual(len(result.get("relatedLocations", [])), len(finding["related"]))
+
+    def test_levels_follow_werror(self):
+        levels = [result["level"] for result in self.log(MANUAL, "--werror")[1]["results"]]
+        self.assertEqual((levels.count("error"), levels.count("warning"), levels.count("note")), (5, 0, 8))
+
+    def test_columns_are_utf16_code_units_and_uris_are_encoded(self):
+        path = self.dir / "gen\u00e4 1.toml"
+        path.write_text('format = 1\n"\u00e4\U0001f6a2" = 1\n[governor.parameters]\n[gateway.parameters]\n')
+        _, run = self.log(path)
+        result = next(r for r in run["results"] if r["ruleId"] == "E0101")
+        location = result["locations"][0]["physicalLocation"]
+        self.assertEqual(location["region"], {"startLine": 2, "startColumn": 1, "endLine": 2, "endColumn": 6})
+        self.assertEqual(urllib.parse.unquote(location["artifactLocation"]["uri"]), f"file://{path}")
+        self.assertTrue(location["artifactLocation"]["uri"].isascii())
+
+    def test_standard_input_and_broken_text(self):
+        for text in (b"", b"\xff\xfe", b"format = 1\ntitle = ", b"x" * 100000):
+            code, run = self.log("-", stdin=text)
+            self.assertEqual(code, 1)
+            self.assertEqual(run["artifacts"][0]["location"]["uri"], "-")
+            self.assertGreater(len(run["results"]), 0)
+
+    def test_it_is_the_same_twice(self):
+        self.assertEqual(*(cgw("check", MANUAL, "--format", "sarif", TZ=zone).stdout for zone in ("UTC", "Asia/Tokyo")))
+
+
+class CheckOutput(Verb):
     def test_full_standard_output_is_exit_3(self):
         with open("/dev/full", "wb") as full:
             result = cgw("check", GENSET, stdout=full)
