@@ -31,7 +31,7 @@ TEST(InputKeys, an_element_of_an_array_has_a_number_and_a_name) {
         const parameter::Assignment* assignment = outcome.settings().gateway.find(16407);
         ASSERT_NE(assignment, nullptr) << line;
         EXPECT_EQ(assignment->value, 0x382);
-        EXPECT_TRUE(assignment->hexadecimal);
+        EXPECT_FALSE(assignment->decimal_typed);
     }
 }
 
@@ -48,7 +48,7 @@ TEST(InputKeys, an_assignment_knows_its_places_and_spelling) {
     EXPECT_EQ(assignment->spelling, "429 CanOpHeartBeatTxTime");
     EXPECT_EQ(assignment->row->number, 429);
     EXPECT_EQ(assignment->value, 1000);
-    EXPECT_FALSE(assignment->hexadecimal);
+    EXPECT_TRUE(assignment->decimal_typed);
     EXPECT_EQ(assignment->key.path, "f.toml");
     EXPECT_EQ(assignment->key.range.start, (diagnostic::Position{13, 1}));
     EXPECT_EQ(assignment->where.range.start, (diagnostic::Position{13, 30}));

@@ -103,7 +103,7 @@ TEST(InputValues, a_list_fills_consecutive_numbers) {
         EXPECT_EQ(show(outcome.findings), "fine") << key;
         EXPECT_EQ(outcome.settings().governor.value(16400), 2000) << key;
         EXPECT_EQ(outcome.settings().governor.value(16401), 7) << key;
-        EXPECT_TRUE(outcome.settings().governor.find(16401)->hexadecimal) << key;
+        EXPECT_FALSE(outcome.settings().governor.find(16401)->decimal_typed) << key;
         EXPECT_EQ(outcome.settings().governor.find(16401)->where.range.start, (diagnostic::Position{15, 2}))
             << key;
         EXPECT_EQ(outcome.settings().governor.find(16401)->key.range.start, (diagnostic::Position{13, 1}))

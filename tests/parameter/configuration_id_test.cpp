@@ -32,7 +32,7 @@ Settings plant() {
     settings.identity = {12, 407, 13};
     settings.governor.assign({.row = &node, .value = 1, .spelling = "401"});
     settings.governor.assign({.row = &delay, .value = 0.5});
-    settings.gateway.assign({.row = &identifier, .value = 0x282, .hexadecimal = true});
+    settings.gateway.assign({.row = &identifier, .value = 0x282, .decimal_typed = true});
     settings.declarations = {&torque};
     return settings;
 }
