@@ -30,7 +30,7 @@ Table emitter_list() {
     for (const emit::Emitter& emitter : emit::all_emitters()) {
         for (const emit::Format& format : emitter.formats) {
             table.rows.push_back({std::string(emitter.name), std::string(format.name),
-                                  std::string(format.file_name), std::string(emitter.summary)});
+                                  emit::file_name(format, {}), std::string(emitter.summary)});
         }
     }
     return table;

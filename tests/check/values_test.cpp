@@ -136,7 +136,8 @@ TEST(CheckTable, has_one_row_for_every_rule_of_the_plant) {
         EXPECT_TRUE(checked_rules.insert(row.rule).second) << row.rule->code;
     }
     for (const diagnostic::Rule* rule : diagnostic::all_rules()) {
-        if (rule->code >= "E0200") {
+        const bool about_plants = rule->code >= "E0200" && rule->code < "E0500";  // E05: tables, copies
+        if (about_plants) {
             EXPECT_EQ(checked_rules.count(rule), 1U) << rule->code;
         }
     }

@@ -53,5 +53,4 @@ TEST(BitRate, is_rounded) {
     EXPECT_EQ(bit_rate(registers(63, 63, 63, 63), BitTiming{1, ControllerFamily::at90can, {}}), 0U);
 }
 
-}  // namespace
 }  // namespace cgw::config

@@ -2,9 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "catalogue/catalogue.hpp"
+#include "config/configuration.hpp"
 #include "config/numbers.hpp"
 
 namespace cgw::test {

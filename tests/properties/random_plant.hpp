@@ -17,7 +17,7 @@ class Dice {
   public:
     explicit Dice(std::uint32_t seed) : engine_(seed) {}
 
-    std::uint32_t below(std::uint32_t limit) { return engine_() % limit; }
+    std::uint32_t below(std::uint32_t limit) { return static_cast<std::uint32_t>(engine_() % limit); }
     bool one_in(std::uint32_t n) { return below(n) == 0; }
     std::int64_t between(std::int64_t lowest, std::int64_t highest);
 
