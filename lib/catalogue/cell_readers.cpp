@@ -57,6 +57,19 @@ void report_bad_kind(const Node& value, const Draft& draft, const Reporter& repo
     }
 }
 
+std::vector<std::uint32_t> read_numbers(const Node& value, std::string_view demand, const Reporter& report) {
+    std::vector<std::uint32_t> numbers;
+    for (const Node& element : value.elements) {
+        if (element.kind != toml::Kind::integer || element.integer < 0 ||
+            element.integer > std::numeric_limits<std::uint32_t>::max()) {
+            report(rules::declaration_invalid, element.range, std::string(demand));
+        } else {
+            numbers.push_back(static_cast<std::uint32_t>(element.integer));
+        }
+    }
+    return numbers;
+}
+
 }  // namespace
 
 // number, count, last, list_end
@@ -199,15 +212,13 @@ void read_range(const Node& value, Draft& draft, const Reporter& report) {
 }
 
 void read_choices(const Node& value, Draft& draft, const Reporter& report) {
-    for (const Node& element : value.elements) {
-        if (element.kind != toml::Kind::integer || element.integer < 0 ||
-            element.integer > std::numeric_limits<std::uint32_t>::max()) {
-            report(rules::declaration_invalid, element.range, "a choice is an integer from 0 to 4294967295");
-        } else {
-            draft.choices.push_back(static_cast<std::uint32_t>(element.integer));
-        }
-    }
+    draft.choices = read_numbers(value, "a choice is an integer from 0 to 4294967295", report);
     draft.row.choices = draft.choices;
+}
+
+void read_pages(const Node& value, Draft& draft, const Reporter& report) {
+    draft.pages = read_numbers(value, "a page is an integer from 0 to 4294967295", report);
+    draft.row.pages = draft.pages;
 }
 
 void read_base(const Node& value, Draft& draft, const Reporter& report) {

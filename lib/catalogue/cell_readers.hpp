@@ -22,6 +22,7 @@ void read_unit(const toml::Node& value, Draft& draft, const Reporter& report);
 void read_level(const toml::Node& value, Draft& draft, const Reporter& report);
 void read_range(const toml::Node& value, Draft& draft, const Reporter& report);
 void read_choices(const toml::Node& value, Draft& draft, const Reporter& report);
+void read_pages(const toml::Node& value, Draft& draft, const Reporter& report);
 void read_base(const toml::Node& value, Draft& draft, const Reporter& report);
 void read_decimal(const toml::Node& value, Draft& draft, const Reporter& report);
 void read_width(const toml::Node& value, Draft& draft, const Reporter& report);

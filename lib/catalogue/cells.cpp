@@ -189,6 +189,7 @@ constexpr Cell cells[] = {
     {"used", string, false, false, read_used, always_blank, show_text<&Row::used>, copy<&Row::used>},
     {"section", string, false, false, read_section, always_blank, show_text<&Row::section>,
      copy<&Row::section>},
+    {"pages", array, false, false, read_pages, always_blank, show_list<&Row::pages>, copy<&Row::pages>},
 };
 
 }  // namespace

@@ -46,6 +46,7 @@ struct Draft {
     std::vector<std::string_view> aliases;
     std::vector<std::string_view> misprints;
     std::vector<std::uint32_t> choices;
+    std::vector<std::uint32_t> pages;
     std::vector<parameter::NamedBit> bits;
     std::vector<parameter::NamedValue> values;
     std::deque<std::string> texts;          // of the bits

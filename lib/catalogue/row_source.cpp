@@ -55,15 +55,19 @@ void append_values(std::string& source, const Row& row) {
     source += "};\n";
 }
 
+void append_numbers(std::string& source, const std::string& name, std::span<const std::uint32_t> numbers) {
+    if (!numbers.empty()) {
+        source += fmt::format("constexpr std::uint32_t {}[] = {{{}}};\n", name, fmt::join(numbers, ", "));
+    }
+}
+
 void append_lists(std::string& source, const Row& row) {
     source += text_list_source(list_name(row, "aliases"), row.aliases);
     source += text_list_source(list_name(row, "misprints"), row.misprints);
     source += bit_list_source(list_name(row, "bits"), row.bits);
     append_values(source, row);
-    if (!row.choices.empty()) {
-        source += fmt::format("constexpr std::uint32_t {}[] = {{{}}};\n", list_name(row, "choices"),
-                              fmt::join(row.choices, ", "));
-    }
+    append_numbers(source, list_name(row, "choices"), row.choices);
+    append_numbers(source, list_name(row, "pages"), row.pages);
 }
 
 std::string scaling_literal(const Row& row) {
@@ -96,8 +100,9 @@ void append_row(std::string& source, const Row& row) {
                           scaling_literal(row));
     source += fmt::format("     .bits = {}, .values = {},\n", list(row.bits.empty(), "bits"),
                           list(row.values.empty(), "values"));
-    source += fmt::format("     .text = {}, .used = {}, .section = {}}},\n", string_literal(row.text),
-                          string_literal(row.used), string_literal(row.section));
+    source +=
+        fmt::format("     .text = {}, .used = {}, .section = {}, .pages = {}}},\n", string_literal(row.text),
+                    string_literal(row.used), string_literal(row.section), list(row.pages.empty(), "pages"));
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include "config/numbers.hpp"
 #include "dbc/names.hpp"
 #include "emit/dbc_parts.hpp"
+#include "facts/gateway.hpp"
 #include "parameter/settings.hpp"
 
 namespace cgw::emit {
@@ -16,9 +17,7 @@ namespace {
 using config::WordKind;
 using parameter::Device;
 
-constexpr std::uint16_t first_error = 3000;            // D21: error bit b is 3000 + b
-constexpr std::uint16_t sensor_to_measurement = 2000;  // 9nn is shown by 29nn (manual 7.1.4.2)
-constexpr unsigned engine_state_bits = 8;              // D22: the low byte
+constexpr unsigned engine_state_bits = 8;  // D22: the low byte
 constexpr std::array<std::string_view, 2> on_off{"off", "on"};
 
 dbc::Signal bit_signal(std::string name, unsigned start_bit, std::string comment) {
@@ -40,8 +39,7 @@ std::string object_text(const config::MappedWord& word) {
 // D58: one bit stands for the error in both devices; the governor's name goes first.
 dbc::Signal error_signal(const Plant& plant, const config::MappedWord& word, unsigned bit,
                          unsigned start_bit) {
-    const auto number =
-        static_cast<std::uint16_t>(first_error + (word.sub_index - 1U) * config::word_bits + bit);
+    const auto number = facts::error_number((word.sub_index - 1U) * config::word_bits + bit);
     std::string name;
     std::string comment = fmt::format("{}, {}", number, object_text(word));
     for (const Device device : {Device::governor, Device::gateway}) {
@@ -187,10 +185,10 @@ dbc::Signal measurement_signal(const Plant& plant, const config::MappedWord& wor
     return signal;
 }
 
-// A sensor without scaling of its own has that of the measurement that shows it.
+// A sensor without scaling of its own has that of the measurement that shows it (D38).
 const parameter::Row& scaled_row(const Plant& plant, const parameter::Row& sensor) {
     const parameter::Row* const measurement = plant.catalogue.find(
-        Device::governor, static_cast<std::uint16_t>(sensor.number + sensor_to_measurement));
+        Device::governor, static_cast<std::uint16_t>(sensor.number + facts::sensor_to_measurement));
     return sensor.scaling || measurement == nullptr ? sensor : *measurement;
 }
 

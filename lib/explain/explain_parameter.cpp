@@ -195,6 +195,9 @@ Entry parameter_entry(const Row& row, const Catalogue& catalogue) {
     entry.add("failure", failure_text(row));
     entry.add("also", alias_lines(row));
     entry.add("source", row.section);
+    if (!row.pages.empty()) {
+        entry.add("pages", fmt::format("{} of GWM", fmt::join(row.pages, ", ")));
+    }
     return entry;
 }
 

@@ -80,6 +80,7 @@ std::vector<std::string> cells(const Run& run) {
         both(first.text, last.text),
         both(first.used, last.used),
         std::string(first.section),
+        fmt::format("{}", fmt::join(first.pages, ", ")),
     };
 }
 
@@ -104,6 +105,7 @@ Table parameter_list(const Catalogue& catalogue, std::optional<Device> device, b
         {"text", "meaning"},
         {"used", "feeds", in_page | in_data},
         {"source", "source", in_page | in_data},
+        {"pages", "pages", in_page | in_data},
     };
     for (const Device one : {Device::governor, Device::gateway}) {
         for (const Program program : {Program::application, Program::bootloader}) {

@@ -45,6 +45,9 @@ constexpr std::uint16_t error_number(unsigned bit) {
 inline constexpr std::uint16_t first_canopen_error = 12411;
 inline constexpr std::uint16_t last_canopen_error = 12424;
 
+// Sensor 9nn is shown by measurement 29nn and has its scaling [inference] (D38).
+inline constexpr std::uint16_t sensor_to_measurement = 2000;
+
 // RPDO1 word 1 carries switch functions in 16 bits, word 3 an error flag for each sensor channel (D25).
 inline constexpr std::uint8_t switch_bits = 16;
 inline constexpr std::uint8_t sensor_channels = 12;

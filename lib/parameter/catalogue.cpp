@@ -148,6 +148,7 @@ const Row* Catalogue::put(const Row& row) {
     kept.bits = keep(row.bits);
     kept.values = keep(row.values);
     kept.choices = number_lists_.emplace_back(row.choices.begin(), row.choices.end());
+    kept.pages = number_lists_.emplace_back(row.pages.begin(), row.pages.end());
 
     std::vector<const Row*>& rows = by_number_[index_of(row.device, row.program)];
     const auto place = std::lower_bound(rows.begin(), rows.end(), row.number, below);

@@ -79,6 +79,7 @@ struct Row {
     std::string_view text{};               // one line, our own words
     std::string_view used{};               // the object or PDO word it feeds: "1804h:1, the COB-ID of TPDO5"
     std::string_view section{};            // "GWM 7.2.4"
+    std::span<const std::uint32_t> pages{};  // of the manual, as its list prints them
 
     bool settable() const { return list != List::measurement; }
     bool is_bit() const { return width == 1; }

@@ -3,12 +3,12 @@
 
 #include <cstdint>
 
+#include "facts/gateway.hpp"
 #include "image/image.hpp"
 
 namespace cgw::simulation {
 
-// Sensor 9nn is shown by measurement 29nn (manual 7.1.4.2 and 7.1.2.2).
-inline constexpr std::uint16_t sensor_to_measurement = 2000;
+using facts::sensor_to_measurement;
 
 // The linear relation between a word's internal range and engineering units.
 struct Scale {
