@@ -33,7 +33,7 @@ int write_text(const std::string& output, const std::string& text) {
 
 std::string title_of(const Arguments& arguments) {
     constexpr std::size_t longest = 200;  // docs/parameter-file.md
-    const std::string title = arguments.value("--title");
+    std::string title = arguments.value("--title");
     if (!arguments.given("--title")) {
         return title;
     }

@@ -26,7 +26,7 @@ constexpr std::string_view clone_details =
     "Copies a parameter file for a sister gateway: 427, the title, and identifiers of\n"
     "TPDO5 to 16 that are base + node id. Comments, order and spelling stay. Refused\n"
     "when both gateways would send under one identifier, and when the copy is not\n"
-    "valid. Bit rates, the partner and [network] stay as they are: look them through.";
+    "valid. Bit rates, the partner and [network] stay as they are: look them through.\n";
 
 std::uint8_t node_id_of(const Arguments& arguments) {
     const std::string text = arguments.value("--node-id");

@@ -57,7 +57,7 @@ constexpr Option diff_options[] = {
 constexpr std::string_view diff_details =
     "Exit code 0 when nothing differs, 1 when something does or when a file has\n"
     "errors, 3 when one cannot be read. Parameters that tables do not print are taken\n"
-    "as in A, and named where they are not 0.";
+    "as in A, and named where they are not 0.\n";
 
 // Exit code; findings of a file with errors go to stderr.
 int report_invalid(const driver::CheckedFile& file, bool color) {

@@ -33,7 +33,7 @@ constexpr std::string_view import_table_details =
     "Parameter, Value, Unit, separated by tabs, semicolons, bars or blanks, or by\n"
     "commas below a header that is. Nothing is written unless both tables can be\n"
     "read without doubt. The written file is then checked: a plant that is wrong as\n"
-    "found is written, with its findings on standard error and exit code 1.";
+    "found is written, with its findings on standard error and exit code 1.\n";
 
 int run_import_table(const Arguments& arguments) {
     const driver::TablePaths paths{arguments.value("--governor"), arguments.value("--gateway")};

@@ -10,8 +10,6 @@
 namespace cgw::compare {
 namespace {
 
-using parameter::Assignment;
-using parameter::Device;
 using parameter::ParameterSet;
 
 void compare_sets(const ParameterSet& a, const ParameterSet& b, std::vector<ParameterDifference>& result) {

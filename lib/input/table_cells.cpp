@@ -52,7 +52,7 @@ std::string unquoted(std::string_view cell) {
 
 // Where the cell that begins at `at` ends: at the separator, or at the end of the line.
 std::size_t cell_end(std::string_view line, std::size_t at, char separator, bool with_quotes) {
-    const std::size_t first = std::min(line.find_first_not_of(" ", at), line.size());
+    const std::size_t first = std::min(line.find_first_not_of(' ', at), line.size());
     bool inside = false;
     const bool is_quoted = with_quotes && first < line.size() && line[first] == '"';
     for (; at < line.size(); ++at) {

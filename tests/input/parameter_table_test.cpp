@@ -161,7 +161,8 @@ TEST(ParameterTable, takes_only_the_rows_of_its_device_where_a_column_says_whose
 TEST(ParameterTable, passes_over_text_comments_sections_and_pages) {
     EXPECT_EQ(
         values_in(
-            "\xEF\xBB\xBF# as found on 3 May\r\n7.1.1 Node numbers\r\n2. 4 rows follow\r\nThe node is 1, as usual\r\n\f"
+            "\xEF\xBB\xBF# as found on 3 May\r\n7.1.1 Node numbers\r\n2. 4 rows follow\r\nThe node is 1, as "
+            "usual\r\n\f"
             "// first page\r\n======\r\n401 CanMyNodeNumber 1\r\n\r\nNumber Parameter Value\r\n403 1\r\n"),
         "401=1 403=1");
 }
