@@ -99,6 +99,14 @@ class TableReader {
         if (parameter == nullptr) {
             return;
         }
+        // What stands there can be the name, or a name and the value: 902 "Sensor 2" (D13).
+        if (!row.has_columns && !row.name.text.empty() && parameter->name.empty()) {
+            report(rules::table_row, row.name.range,
+                   fmt::format("{} has no name known here, so {} may be its name or part of it",
+                               parameter->number, toml::quoted(row.name.text)),
+                   "separate the columns with tabs or semicolons, or leave out the name");
+            return;
+        }
         if (!parameter->settable()) {
             measurements_.push_back({parameter, row.number.range});
             return;

@@ -83,7 +83,7 @@ class Splitter {
     }
 
     std::vector<Cell> at_separators(char separator) const {
-        const bool with_quotes = separator == ',' || separator == ';';
+        const bool with_quotes = separator != '|';
         std::vector<Cell> cells;
         std::size_t at = 0;
         while (true) {
@@ -130,6 +130,31 @@ class Splitter {
     std::size_t skipped_;
 };
 
+struct Separator {
+    Separation separation;
+    char character;
+};
+
+// In the order in which they are looked for.
+constexpr std::array separators{Separator{Separation::tabs, '\t'}, Separator{Separation::commas, ','},
+                                Separator{Separation::bars, '|'}, Separator{Separation::semicolons, ';'}};
+
+Separation separation_of(std::string_view line, std::optional<Separation> header) {
+    std::optional<Separation> found;
+    for (const Separator& candidate : separators) {
+        // A tab at the end of a line separates nothing.
+        const std::string_view part = candidate.separation == Separation::tabs ? trimmed(line) : line;
+        const bool is_there = part.find(candidate.character) != std::string_view::npos;
+        if (is_there && header == candidate.separation) {
+            return candidate.separation;
+        }
+        if (is_there && !found && candidate.separation != Separation::commas) {
+            found = candidate.separation;
+        }
+    }
+    return found.value_or(Separation::blanks);
+}
+
 // "| a | b |": the outer bars separate nothing.
 void drop_outer(std::vector<Cell>& cells) {
     if (cells.size() > 1 && cells.back().text.empty()) {
@@ -160,7 +185,8 @@ std::string plain_text(std::string_view cell) {
     return std::string(trimmed(text));
 }
 
-CellLine split_cells(std::string_view line, std::uint32_t number, bool commas, std::size_t skipped) {
+CellLine split_cells(std::string_view line, std::uint32_t number, std::optional<Separation> header,
+                     std::size_t skipped) {
     const Splitter splitter(line, number, skipped);
     CellLine result;
     result.number = number;
@@ -169,23 +195,14 @@ CellLine split_cells(std::string_view line, std::uint32_t number, bool commas, s
     if (solid.empty()) {
         return result;
     }
-    if (solid.find('\t') != std::string_view::npos) {
-        result.separation = Separation::tabs;
-        result.cells = splitter.at_separators('\t');
-    } else if (commas && line.find(',') != std::string_view::npos) {
-        result.separation = Separation::commas;
-        result.cells = splitter.at_separators(',');
-    } else if (line.find('|') != std::string_view::npos) {
-        result.separation = Separation::bars;
-        result.cells = splitter.at_separators('|');
-        if (solid.starts_with('|')) {
-            drop_outer(result.cells);
-        }
-    } else if (line.find(';') != std::string_view::npos) {
-        result.separation = Separation::semicolons;
-        result.cells = splitter.at_separators(';');
-    } else {
-        result.cells = splitter.at_blanks();
+    result.separation = separation_of(line, header);
+    const auto separator = std::find_if(
+        separators.begin(), separators.end(),
+        [&result](const Separator& candidate) { return candidate.separation == result.separation; });
+    result.cells =
+        separator != separators.end() ? splitter.at_separators(separator->character) : splitter.at_blanks();
+    if (result.separation == Separation::bars && solid.starts_with('|')) {
+        drop_outer(result.cells);
     }
     return result;
 }

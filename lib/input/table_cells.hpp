@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -24,10 +25,12 @@ struct CellLine {
     diagnostic::Range range;  // without blanks around it
 };
 
-// `line` has no line end; `skipped` bytes stood before it in its line (a byte order mark). Tabs separate
-// where there are any; else commas when `commas` says so; else bars (Markdown), semicolons, and at last
-// blanks. In comma and semicolon tables a cell may stand in double quotes (RFC 4180).
-CellLine split_cells(std::string_view line, std::uint32_t number, bool commas, std::size_t skipped = 0);
+// `line` has no line end; `skipped` bytes stood before it in its line (a byte order mark). The separator of
+// the table's header, where it had one, separates if the line has any; else tabs, bars (Markdown),
+// semicolons, and at last blanks. Commas do so only when the header did. Where tabs, commas or semicolons
+// separate, a cell may stand in double quotes (RFC 4180).
+CellLine split_cells(std::string_view line, std::uint32_t number, std::optional<Separation> header,
+                     std::size_t skipped = 0);
 
 // The text of a cell without what surrounds names in manuals and Markdown: <i>…</i>, *…*, backslashes before
 // punctuation; no-break spaces become blanks.

@@ -3,11 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <utility>
 
-#include "base/edit_distance.hpp"
 #include "base/numbers.hpp"
+#include "input/parameter_keys.hpp"
+#include "input/table_header.hpp"
 #include "input/table_values.hpp"
 #include "toml/document.hpp"
 
@@ -16,55 +16,6 @@ namespace {
 
 namespace rules = diagnostic::rules;
 using parameter::Device;
-
-enum class Column : std::uint8_t { device, number, name, value, unit };
-constexpr std::size_t column_count = 5;
-
-struct ColumnWord {
-    std::string_view word;
-    Column column;
-};
-
-constexpr ColumnWord column_words[] = {
-    {"device", Column::device}, {"gerät", Column::device},  {"number", Column::number},
-    {"no", Column::number},     {"no.", Column::number},    {"nr", Column::number},
-    {"nr.", Column::number},    {"nummer", Column::number}, {"parameter", Column::name},
-    {"name", Column::name},     {"value", Column::value},   {"wert", Column::value},
-    {"unit", Column::unit},     {"einheit", Column::unit},
-};
-
-bool same_word(std::string_view a, std::string_view b) {
-    return a.size() == b.size() && base::edit_distance(a, b) == 0;  // ignores case
-}
-
-std::optional<Column> column_of(std::string_view word) {
-    for (const ColumnWord& known : column_words) {
-        if (same_word(known.word, word)) {
-            return known.column;
-        }
-    }
-    return std::nullopt;
-}
-
-// Which cell of a row is which column.
-using Columns = std::array<std::optional<std::size_t>, column_count>;
-
-constexpr Columns usual_columns = {std::nullopt, 0, 1, 2, 3};
-
-std::optional<Columns> header_of(const CellLine& line) {
-    Columns columns{};
-    for (std::size_t i = 0; i < line.cells.size(); ++i) {
-        const std::optional<Column> column = column_of(line.cells[i].text);
-        std::optional<std::size_t>* const place =
-            column ? &columns[static_cast<std::size_t>(*column)] : nullptr;
-        if (place != nullptr && !*place) {
-            *place = i;
-        }
-    }
-    const auto has = [&](Column column) { return columns[static_cast<std::size_t>(column)].has_value(); };
-    const bool is_header = has(Column::number) && (has(Column::name) || has(Column::value));
-    return is_header ? std::optional<Columns>(columns) : std::nullopt;
-}
 
 bool consists_of(std::string_view text, std::string_view characters) {
     return !text.empty() && text.find_first_not_of(characters) == std::string_view::npos;
@@ -128,7 +79,7 @@ class RowReader {
         : path_(path), device_(device), catalogue_(catalogue), findings_(findings) {}
 
     void read(std::string_view line, std::uint32_t number, std::size_t skipped) {
-        CellLine cells = split_cells(line, number, commas_, skipped);
+        CellLine cells = split_cells(line, number, separation_, skipped);
         if (cells.cells.empty() || is_comment(cells) || is_rule(cells) || take_header(cells, line, skipped)) {
             return;
         }
@@ -156,26 +107,36 @@ class RowReader {
     }
 
     bool take_header(const CellLine& line, std::string_view text, std::size_t skipped) {
-        const CellLine with_commas = split_cells(text, line.number, true, skipped);
-        const std::optional<Columns> by_commas =
+        const CellLine with_commas = split_cells(text, line.number, Separation::commas, skipped);
+        const std::optional<Header> by_commas =
             with_commas.separation == Separation::commas ? header_of(with_commas) : std::nullopt;
-        const std::optional<Columns> columns = by_commas ? by_commas : header_of(line);
-        if (!columns) {
+        const std::optional<Header> header = by_commas ? by_commas : header_of(line);
+        if (!header) {
             return false;
         }
-        commas_ = by_commas.has_value();
-        header_size_ = by_commas ? with_commas.cells.size() : line.cells.size();
-        columns_ = *columns;
-        is_skipping_ = !columns_[static_cast<std::size_t>(Column::value)].has_value();
-        const bool in_words = !by_commas && line.separation == Separation::blanks;
-        if (is_skipping_) {
+        const CellLine& cells = by_commas ? with_commas : line;
+        separation_ = cells.separation;
+        header_size_ = cells.cells.size();
+        columns_ = header->columns;
+        is_skipping_ = report_header(*header, cells);
+        return true;
+    }
+
+    // True when the rows below cannot be read.
+    bool report_header(const Header& header, const CellLine& line) {
+        const bool is_usual =
+            header.columns == usual_columns || header.columns == Columns{std::nullopt, 0, 1, 2, std::nullopt};
+        if (!header.has(Column::value)) {
             report(rules::table_row, line.range, "the header names no column Value, so no row has one");
-        } else if (in_words && columns_ != usual_columns &&
-                   columns_ != Columns{std::nullopt, 0, 1, 2, std::nullopt}) {
+        } else if (!header.doubt.empty()) {
+            report(rules::table_value_ambiguous, line.range, header.doubt,
+                   "leave the columns Number, Parameter, Value, Unit and delete the others");
+        } else if (line.separation == Separation::blanks && !is_usual) {
             report(rules::table_row, line.range,
                    "columns in another order than Number, Parameter, Value, Unit need a separator",
                    "separate them with tabs or semicolons");
-            is_skipping_ = true;
+        } else {
+            return false;
         }
         return true;
     }
@@ -198,14 +159,14 @@ class RowReader {
             return i < line.cells.size() ? line.cells[i] : Cell{"", line.range};
         };
         const std::size_t value = looks_like_number(at(1).text) ? 1 : 2;
-        return {at(0), value == 1 ? Cell{"", line.range} : at(1), at(value), at(value + 1)};
+        return {at(0), value == 1 ? Cell{"", line.range} : at(1), at(value), at(value + 1), false};
     }
 
     void read_row(const CellLine& line) {
         const bool in_words = line.separation == Separation::blanks;
         TableRow row = in_words ? row_of_words(line)
                                 : TableRow{cell(line, Column::number), cell(line, Column::name),
-                                           cell(line, Column::value), cell(line, Column::unit)};
+                                           cell(line, Column::value), cell(line, Column::unit), true};
         const std::string& number = row.number.text;
         if (number.empty() || number.front() < '0' || number.front() > '9' || is_section_number(number)) {
             report_near_row(line, row);
@@ -223,8 +184,15 @@ class RowReader {
 
     bool is_number(const Cell& cell) {
         const auto number = base::parse_integer(cell.text);
-        if (number && *number > 0 && *number <= 65535 && consists_of(cell.text, "0123456789")) {
+        if (number && !cell.text.starts_with('0') && *number <= 65535 &&
+            consists_of(cell.text, "0123456789")) {
             return true;
+        }
+        if (number && cell.text.starts_with('0')) {
+            report(rules::table_row, cell.range,
+                   fmt::format("{} begins with 0, which no parameter number does", toml::quoted(cell.text)),
+                   *number > 0 ? fmt::format("write {}", *number) : "");
+            return false;
         }
         const bool has_name = cell.text.find(' ') != std::string::npos;
         report(rules::table_row, cell.range,
@@ -250,22 +218,26 @@ class RowReader {
         return false;
     }
 
-    bool is_name(std::string_view text) const {
-        return !text.empty() && (catalogue_.find(Device::governor, text) != nullptr ||
-                                 catalogue_.find(Device::gateway, text) != nullptr);
+    bool is_parameter(const std::string& text) const {
+        return resolve_silently(catalogue_, Device::governor, text) != nullptr ||
+               resolve_silently(catalogue_, Device::gateway, text) != nullptr;
     }
 
-    // Text between the rows is no concern of ours, unless it is a row that lost its number.
+    // Text between the rows is no concern of ours, unless it may be a row with something before it, or one
+    // that lost its number: a parameter, and a number behind it.
     void report_near_row(const CellLine& line, const TableRow& row) {
-        const bool has_value = std::any_of(line.cells.begin(), line.cells.end(),
-                                           [](const Cell& cell) { return looks_like_number(cell.text); });
-        const bool has_name =
-            is_name(row.number.text) || (is_name(row.name.text) && row.name.text != row.number.text);
+        const auto parameter = std::find_if(line.cells.begin(), line.cells.end(),
+                                            [this](const Cell& cell) { return is_parameter(cell.text); });
+        const bool has_parameter = parameter != line.cells.end() &&
+                                   std::any_of(parameter + 1, line.cells.end(),
+                                               [](const Cell& cell) { return looks_like_number(cell.text); });
         const bool has_columns = line.separation != Separation::blanks && looks_like_number(row.value.text);
-        if ((has_name && has_value) || has_columns) {
-            const std::string found = row.number.text.empty() ? "no number" : toml::quoted(row.number.text);
-            report(rules::table_row, row.number.text.empty() ? line.range : row.number.range,
-                   fmt::format("a row has {} where its parameter's number belongs", found),
+        if (has_parameter || has_columns) {
+            const Cell& first = line.cells.front();
+            const Cell& found = row.number.text.empty() ? first : row.number;
+            const std::string shown = found.text.empty() ? "no number" : toml::quoted(found.text);
+            report(rules::table_row, found.text.empty() ? line.range : found.range,
+                   fmt::format("a row has {} where its parameter's number belongs", shown),
                    "begin a line that is no row with #");
         }
     }
@@ -277,8 +249,8 @@ class RowReader {
     RowsRead result_;
     Columns columns_ = usual_columns;
     std::size_t header_size_ = 0;
-    bool commas_ = false;       // the header in force is separated by them
-    bool is_skipping_ = false;  // below a header that cannot be used
+    std::optional<Separation> separation_;  // of the header in force
+    bool is_skipping_ = false;              // below a header that cannot be used
 };
 
 }  // namespace

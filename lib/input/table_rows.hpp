@@ -17,6 +17,7 @@ struct TableRow {
     Cell name;    // may be empty
     Cell value;   // may be empty
     Cell unit;
+    bool has_columns = true;  // false: blanks separate, and the name may be more than a name
 };
 
 struct RowsRead {

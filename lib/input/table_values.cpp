@@ -33,9 +33,10 @@ std::string lower(std::string_view text) {
 // A unit in one spelling: without brackets, in lower case, and as the catalogue has it.
 std::string canonical_unit(std::string_view text) {
     constexpr std::pair<std::string_view, std::string_view> spellings[] = {
-        {"kbits/s", "kbit/s"}, {"kbaud", "kbit/s"}, {"kbd", "kbit/s"}, {"kbps", "kbit/s"},
-        {"rpm", "1/min"},      {"min-1", "1/min"},  {"sec", "s"},      {"msec", "ms"},
-        {"degc", "°c"},        {"-", ""},           {"h", "hex"},
+        {"kbits/s", "kbit/s"}, {"kbaud", "kbit/s"}, {"kbd", "kbit/s"},      {"kbps", "kbit/s"},
+        {"rpm", "1/min"},      {"min-1", "1/min"},  {"sec", "s"},           {"msec", "ms"},
+        {"degc", "°c"},        {"-", ""},           {"h", "hex"},           {"dez", "dec"},
+        {"dezimal", "dec"},    {"decimal", "dec"},  {"hexadecimal", "hex"},
     };
     std::string unit = lower(text);
     std::erase_if(unit, [](char c) { return c == '[' || c == ']' || c == ' '; });
@@ -78,12 +79,17 @@ class ValueReader {
         }
         const bool says_hex = take_hex_marks();
         const std::string unit = canonical_unit(unit_);
-        if (!unit.empty() && !row_.unit.empty() && unit != canonical_unit(row_.unit)) {
-            return refuse(rules::table_unit,
-                          fmt::format("is in {}, and the table says {}", row_.unit, toml::quoted(unit_)),
-                          fmt::format("convert the value to {}", row_.unit));
+        if (says_hex && unit == "dec") {
+            return ambiguous(fmt::format("and the unit says {}", unit_),
+                             "say once whether the digits are decimal or hexadecimal");
         }
-        return says_hex ? read_hexadecimal() : read_decimal();
+        if (!unit.empty() && !row_.unit.empty() && unit != canonical_unit(row_.unit)) {
+            return other_unit(toml::quoted(unit_));
+        }
+        if (says_hex) {
+            return row_.unit.empty() ? read_hexadecimal() : other_unit("hexadecimal digits");
+        }
+        return read_decimal(unit == "dec");
     }
 
   private:
@@ -98,6 +104,11 @@ class ValueReader {
 
     ValueReading ambiguous(std::string_view why, std::string help) const {
         return refuse(rules::table_value_ambiguous, fmt::format("is {}, {}", typed_, why), std::move(help));
+    }
+
+    ValueReading other_unit(std::string_view found) const {
+        return refuse(rules::table_unit, fmt::format("is in {}, and the table says {}", row_.unit, found),
+                      fmt::format("convert the value to {}, in decimal digits", row_.unit));
     }
 
     ValueReading accept(double value, std::string literal) const {
@@ -136,10 +147,18 @@ class ValueReader {
         if (!consists_of(value_, hex_digits) || !number || value_.size() > longest_number) {
             return not_a_number();
         }
+        // DcDesk shows such a parameter in decimal: the mark belongs to something else, or the digits do.
+        if (row_.base == parameter::Base::decimal && *number > 9) {
+            const bool may_be_decimal = consists_of(value_, digits);
+            return ambiguous("which is hexadecimal where DcDesk shows decimal",
+                             may_be_decimal
+                                 ? fmt::format("write {} or {}", *number, without_leading_zeros(value_))
+                                 : fmt::format("write {}", *number));
+        }
         return accept(static_cast<double>(*number), "0x" + value_);
     }
 
-    ValueReading read_decimal() const {
+    ValueReading read_decimal(bool says_decimal) const {
         const bool is_negative = value_.starts_with('-');
         const std::string sign = is_negative ? "-" : "";
         const std::string number = value_.substr(is_negative || value_.starts_with('+') ? 1 : 0);
@@ -147,9 +166,10 @@ class ValueReader {
             return not_a_number();
         }
         if (consists_of(number, digits)) {
-            return read_whole(sign, number);
+            return read_whole(sign, number, says_decimal);
         }
-        if (row_.base == parameter::Base::hexadecimal && consists_of(number, hex_digits) && sign.empty()) {
+        const bool may_be_hex = row_.base == parameter::Base::hexadecimal && !says_decimal;
+        if (may_be_hex && consists_of(number, hex_digits) && sign.empty()) {
             return read_hexadecimal();
         }
         const std::size_t separator = number.find_first_of(".,");
@@ -159,10 +179,14 @@ class ValueReader {
         return read_fraction(sign, number.substr(0, separator), number.substr(separator + 1));
     }
 
-    ValueReading read_whole(const std::string& sign, const std::string& number) const {
+    ValueReading read_whole(const std::string& sign, const std::string& number, bool says_decimal) const {
         const std::string literal = without_leading_zeros(number);
         if (row_.base == parameter::Base::hexadecimal && literal.size() > 1) {
             const auto decimal = base::parse_integer(number);
+            if (says_decimal) {
+                return ambiguous("and decimal says the unit where DcDesk shows Hex",
+                                 fmt::format("write {:X} Hex", decimal.value_or(0)));
+            }
             return ambiguous(
                 fmt::format("which is {}h or {:X}h", literal, decimal.value_or(0)),
                 fmt::format("write {} Hex in the table, or {:X} Hex", literal, decimal.value_or(0)));

@@ -23,9 +23,9 @@ struct ValueReading {
 };
 
 // `value` and `unit` are the cells' texts; the unit may stand in the value's cell instead. A decimal comma is
-// a point (D12); Hex in the unit, a trailing h or 0x makes hexadecimal digits; thousands separators, and
-// decimal digits of a parameter that is printed in hexadecimal, are refused as ambiguous (D15). Units are
-// compared and never converted.
+// a point (D12); Hex in the unit, a trailing h or 0x makes hexadecimal digits, which a parameter with a unit
+// or one printed in decimal does not have; thousands separators, and decimal digits of a parameter that is
+// printed in hexadecimal, are refused as ambiguous (D15). Units are compared and never converted.
 ValueReading read_table_value(const parameter::Row& row, std::string_view value, std::string_view unit);
 
 // Begins like a number: a digit, perhaps behind a sign.

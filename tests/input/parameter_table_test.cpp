@@ -205,6 +205,73 @@ TEST(ParameterTable, refuses_what_is_nearly_a_row) {
               "E0501 2:1 `70000` is no parameter number\n");
 }
 
+TEST(ParameterTable, refuses_rows_behind_a_mark_or_a_word) {
+    for (const std::string_view mark :
+         {"*", "+", "-", ">", "x", "Nr", "DG", "Parameter", "1.2", "\xE2\x80\xA2", "a b c", "(1)"}) {
+        const std::string found =
+            findings_in(fmt::format("401 CanMyNodeNumber 1\n{} 16482 CanOpRPDO1-4Cyc(2) 200 ms\n", mark));
+        EXPECT_TRUE(found.starts_with("E0501 2:1 ")) << mark << found;
+        EXPECT_TRUE(found.ends_with(" where its parameter's number belongs\n")) << mark << found;
+    }
+    EXPECT_EQ(findings_in("401 CanMyNodeNumber 1\nNr 403 Parameter CanCMNodeNumber Value 1\n"),
+              "E0501 2:1 a row has `Nr` where its parameter's number belongs\n");
+    EXPECT_EQ(values_in("401 CanMyNodeNumber 1\nsee 16482\n7.2 of 12 pages\n"), "401=1");
+}
+
+TEST(ParameterTable, refuses_rows_with_an_empty_or_another_first_cell) {
+    EXPECT_EQ(findings_in("401;CanMyNodeNumber;1\n;403;CanCMNodeNumber;1\n"),
+              "E0501 2:1 a row has no number where its parameter's number belongs\n");
+    EXPECT_EQ(findings_in("401\tCanMyNodeNumber\t1\n\t403\tCanCMNodeNumber\t1\n"),
+              "E0501 2:2 a row has no number where its parameter's number belongs\n");
+    EXPECT_EQ(findings_in("401;CanMyNodeNumber;1\nx;403;CanCMNodeNumber;1\n"),
+              "E0501 2:1 a row has `x` where its parameter's number belongs\n");
+    EXPECT_EQ(findings_in("401\tCanMyNodeNumber\t1\ngovernor\t403\tCanCMNodeNumber\t1\n"),
+              "E0501 2:1 a row has `governor` where its parameter's number belongs\n");
+    EXPECT_EQ(values_in("401;CanMyNodeNumber;1\n;CanCMNodeNumber;\n;;\nsee;403;\n"), "401=1");
+}
+
+TEST(ParameterTable, refuses_a_second_column_of_values) {
+    for (const std::string_view columns :
+         {"Value|Value", "Value|Value new", "Value|Actual value", "Wert|Wert neu", "Old value|Value",
+          "Value|New", "alt|Wert", "Wert|Istwert"}) {
+        const std::string found =
+            findings_in(fmt::format("|Number|Parameter|{}|Unit|\n|401|CanMyNodeNumber|1|2||\n", columns));
+        EXPECT_TRUE(found.starts_with("E0502 1:1 the header names a second column of values, "))
+            << columns << found;
+    }
+    EXPECT_EQ(findings_in("Number Parameter Value Value Unit\n401 CanMyNodeNumber 1 2\n"),
+              "E0502 1:1 the header names a second column of values, `Value`\n");
+    EXPECT_EQ(findings_in("Nr;Number;Parameter;Value\n1;401;CanMyNodeNumber;1\n"),
+              "E0502 1:1 the header names the column Number twice\n");
+    EXPECT_EQ(values_in("Number;Parameter;Value;Unit;Default;Default value;Min. value;Maximalwert\n"
+                        "401;CanMyNodeNumber;1;;0;0;1;31\n"),
+              "401=1");
+}
+
+TEST(ParameterTable, takes_no_digit_of_a_name_for_a_value) {
+    EXPECT_EQ(findings_in("902 Sensor 2\n"),
+              "E0501 1:5 902 has no name known here, so `Sensor` may be its name or part of it\n");
+    EXPECT_EQ(findings_in("4902 Type 3 \n"),
+              "E0501 1:6 4902 has no name known here, so `Type` may be its name or part of it\n");
+    EXPECT_EQ(values_in("902 2\n903;Sensor 2;3\n827 FunctSetpoint2Or1 5\n"), "827=5 902=2 903=3");
+}
+
+TEST(ParameterTable, says_what_is_wrong_with_a_leading_zero) {
+    const Read result = read("0400;CanStartTimeOutDelay;1\n");
+    EXPECT_EQ(text_of(result.findings), "E0501 1:1 `0400` begins with 0, which no parameter number does\n");
+    EXPECT_EQ(result.findings.all()[0].help, "write 400");
+}
+
+TEST(ParameterTable, keeps_the_separator_of_its_header) {
+    EXPECT_EQ(values_in("Number;Parameter;Value;Unit;Title\n401;CanMyNodeNumber;1;;a|b\tc\n"), "401=1");
+    EXPECT_EQ(values_in("|Number|Parameter|Value|Title|\n|401|CanMyNodeNumber|1|a;b\tc|\n"), "401=1");
+    EXPECT_EQ(values_in("Number;Parameter;Value\n401 CanMyNodeNumber 1\n403\t\t1\n"), "401=1 403=1");
+}
+
+TEST(ParameterTable, reads_quoted_cells_between_tabs) {
+    EXPECT_EQ(values_in("16480\t\"CanOpRPDO1-4Cyc(0)\"\t\"1000\"\t\"ms\"\n"), "16480=1000");
+}
+
 TEST(ParameterTable, refuses_rows_without_a_number_for_a_value) {
     EXPECT_EQ(findings_in("401;CanMyNodeNumber;;\n"), "E0501 1:1 401 CanMyNodeNumber has no value\n");
     EXPECT_EQ(findings_in("401;CanMyNodeNumber;on;\n"),
@@ -237,7 +304,42 @@ TEST(ParameterTable, reads_hexadecimal_by_unit_suffix_or_prefix) {
     EXPECT_EQ(value("0x57f"), "16404=0x57f");
     EXPECT_EQ(value("57F"), "16404=0x57F");
     EXPECT_EQ(value("3"), "16404=3");
-    EXPECT_EQ(values_in("416;CanBaudrate;FA;Hex\n"), "416=0xFA");
+}
+
+TEST(ParameterTable, refuses_hexadecimal_for_a_parameter_with_a_unit) {
+    const auto found = [](std::string_view cells) {
+        return findings_in(fmt::format("429;CanOpHeartBeatTxTime;{}\n", cells), Device::gateway);
+    };
+    const std::string message = "429 CanOpHeartBeatTxTime is in ms, and the table says ";
+    EXPECT_EQ(found("1000;Hex"), "E0504 1:26 " + message + "hexadecimal digits\n");
+    EXPECT_EQ(found("1000 hex"), "E0504 1:26 " + message + "hexadecimal digits\n");
+    EXPECT_EQ(found("3E8h"), "E0504 1:26 " + message + "hexadecimal digits\n");
+    EXPECT_EQ(found("0x3E8;"), "E0504 1:26 " + message + "hexadecimal digits\n");
+    EXPECT_EQ(found("1000;dec"), "E0504 1:26 " + message + "`dec`\n");
+    EXPECT_EQ(findings_in("429 CanOpHeartBeatTxTime 1000 Hex\n", Device::gateway),
+              "E0504 1:26 " + message + "hexadecimal digits\n");
+    EXPECT_EQ(found("1000;ms"), "");
+}
+
+TEST(ParameterTable, refuses_hexadecimal_for_a_parameter_shown_in_decimal) {
+    const Read result = read("427;CanOpenMyNodeID;12;Hex\n", Device::gateway);
+    EXPECT_EQ(text_of(result.findings),
+              "E0502 1:21 427 CanOpenMyNodeID is 12, which is hexadecimal where DcDesk shows decimal\n");
+    EXPECT_EQ(result.findings.all()[0].help, "write 18 or 12");
+    EXPECT_EQ(values_in("427;CanOpenMyNodeID;9;Hex\n428;;12;dec\n", Device::gateway), "427=0x9 428=12");
+}
+
+TEST(ParameterTable, refuses_a_unit_that_contradicts_the_digits) {
+    const auto found = [](std::string_view cells) {
+        return read(fmt::format("16404;CanOpTPDO5-16ID(0);{}\n", cells), Device::gateway).findings;
+    };
+    EXPECT_EQ(text_of(found("0x282;dec")),
+              "E0502 1:26 16404 CanOpTPDO5-16ID(0) is 0x282, and the unit says dec\n");
+    EXPECT_EQ(
+        text_of(found("642;Dez")),
+        "E0502 1:26 16404 CanOpTPDO5-16ID(0) is 642, and decimal says the unit where DcDesk shows Hex\n");
+    EXPECT_EQ(found("642;Dez").all()[0].help, "write 282 Hex");
+    EXPECT_EQ(text_of(found("3;Dez")), "");
 }
 
 TEST(ParameterTable, refuses_decimal_digits_of_a_hexadecimal_parameter) {
