@@ -156,6 +156,8 @@ TEST_F(ReadCatalogueFindings, refuses_ranges_and_choices_that_cannot_be) {
               "5:12 declaration-invalid: a choice is an integer from 0 to 4294967295\n");
     EXPECT_EQ(row("number = 7004\nkind = \"curve\"\nrange = [0, 10]\nchoices = [5, 11]"),
               "6:11 declaration-invalid: choice 11 is outside the range of 7004\n");
+    EXPECT_EQ(row("number = 7005\nkind = \"curve\"\npages = [27, -1]"),
+              "5:14 declaration-invalid: a page is an integer from 0 to 4294967295\n");
 }
 
 TEST_F(ReadCatalogueFindings, refuses_widths_and_limits_that_do_not_fit) {

@@ -196,6 +196,13 @@ TEST_F(ShippedGateway, takes_fractions_only_for_the_start_up_delay) {
     }
 }
 
+TEST_F(ShippedGateway, has_the_pages_that_the_manuals_list_prints) {
+    const std::span<const std::uint32_t> pages = find(400)->pages;
+    EXPECT_EQ(std::vector<std::uint32_t>(pages.begin(), pages.end()), (std::vector<std::uint32_t>{27, 29}));
+    EXPECT_EQ(find(16415)->pages.size(), 1U);  // every element of an array
+    EXPECT_TRUE(find(1800)->pages.empty());    // the list prints none
+}
+
 TEST_F(ShippedGateway, lets_nobody_set_a_measurement) {
     EXPECT_FALSE(find(2401)->settable());
     EXPECT_FALSE(find(3074)->settable());
