@@ -59,7 +59,8 @@ class ImportTable(Case):
         result = cgw("import", "table", "--governor", DATA / "tables" / "manual-governor.tabs.txt", "--gateway",
                      GATEWAY_TABLE, "-o", out)
         self.assertEqual((result.returncode, result.stdout), (1, b""))
-        self.assertRegex(result.stderr, rb"manual-governor\.tabs\.txt:24:1: error: dots stand for\s+rows")
+        text = b" ".join(result.stderr.split())  # where lines break depends on the length of the path
+        self.assertIn(b"manual-governor.tabs.txt:24:1: error: dots stand for rows", text)
         self.assertEqual(self.listing(), [])
 
     def test_a_plant_that_is_wrong_as_found_is_written_with_its_findings(self):
