@@ -253,6 +253,11 @@ TEST(ParameterTable, takes_no_digit_of_a_name_for_a_value) {
               "E0501 1:5 902 has no name known here, so `Sensor` may be its name or part of it\n");
     EXPECT_EQ(findings_in("4902 Type 3 \n"),
               "E0501 1:6 4902 has no name known here, so `Type` may be its name or part of it\n");
+    EXPECT_EQ(findings_in("902 2 Sensor 5\n"),
+              "E0502 1:14 the row has another number, 5, behind its value\n");
+    EXPECT_EQ(findings_in("416 CanBaudrate 250 kbit/s 500\n"),
+              "E0502 1:28 the row has another number, 500, behind its value\n");
+    EXPECT_EQ(values_in("Number Parameter Value Unit Default\n416 CanBaudrate 250 kbit/s 125\n"), "416=250");
     EXPECT_EQ(values_in("902 2\n903;Sensor 2;3\n827 FunctSetpoint2Or1 5\n"), "827=5 902=2 903=3");
 }
 
@@ -434,7 +439,8 @@ TEST(ParameterTable, skips_nothing_that_may_be_a_slip) {
     EXPECT_EQ(error("4010;;1"), "E0105");
     EXPECT_EQ(error("1;401;CanMyNodeNumber;1"), "E0105");
     EXPECT_EQ(error("1;Zyklop;CanMyNodeNumber;1"), "E0105");
-    EXPECT_EQ(error("1 401 CanMyNodeNumber 1"), "E0105");
+    EXPECT_EQ(error("1 401 CanMyNodeNumber"), "E0105");
+    EXPECT_EQ(error("1 401 CanMyNodeNumber 1"), "E0502");
     EXPECT_EQ(error("4010 Can MyNodeNumber 1"), "E0105");
     EXPECT_EQ(error("402;CanDCNodeNumber;1"), "E0105");
 }
