@@ -255,7 +255,7 @@ class RowReader {
             const std::string shown = found.text.empty() ? "no number" : toml::quoted(found.text);
             report(rules::table_row, found.text.empty() ? line.range : found.range,
                    fmt::format("a row has {} where its parameter's number belongs", shown),
-                   "begin a line that is no row with #");
+                   "delete what stands before the number, or begin a line that is no row with #");
         }
     }
 
