@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <filesystem>
+
 #include "base/bytes.hpp"
 #include "base/files.hpp"
 #include "base/utf8.hpp"
@@ -17,6 +19,13 @@ void refuse_input_as_output(const std::string& output, const std::vector<std::st
     }
     if (const std::string why = driver::clash({output}, inputs); !why.empty()) {
         throw UsageError(why);
+    }
+}
+
+void refuse_existing(const Arguments& arguments, const std::string& output) {
+    std::error_code ignored;
+    if (output != "-" && !arguments.given("--force") && std::filesystem::is_regular_file(output, ignored)) {
+        throw UsageError(fmt::format("{} exists; --force overwrites it", output));
     }
 }
 

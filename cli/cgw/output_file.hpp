@@ -17,6 +17,11 @@ inline constexpr Option text_output_option = {.names = "-o,--output",
 // Why `output` may not be written, as a usage error: it is one of `inputs`.
 void refuse_input_as_output(const std::string& output, const std::vector<std::string>& inputs);
 
+inline constexpr Option force_option = {.names = "--force", .summary = "overwrite a file that exists"};
+
+// A file at `output` is overwritten only with --force, else a usage error.
+void refuse_existing(const Arguments& arguments, const std::string& output);
+
 // Exit code: exit_fine or exit_environment, after saying why on stderr.
 int write_text(const std::string& output, const std::string& text);
 

@@ -11,7 +11,8 @@ const Rule table_row{
     .reference = "GWM 7",
     .why =
         "A line that is nearly a row cannot be passed over: its parameter would be 0 in the file, and "
-        "switched off in the device.",
+        "switched off in the device. So is a line that has something before the number, and a row in blanks "
+        "whose name is not known: 902 Sensor 2 may end its name or hold the value 2.",
     .bad =
         "Number;Parameter;Value;Unit\n"
         "401;CanMyNodeNumber;1;\n"
@@ -27,8 +28,10 @@ const Rule table_value_ambiguous{
     .summary = "a value in a table can be read in one way only",
     .reference = "D12, D15",
     .why =
-        "1.000 is one or a thousand, depending on the country, and 282 without Hex is 282h or 11Ah. Each "
-        "reading makes a plant that starts, and one of them is wrong.",
+        "1.000 is one or a thousand, depending on the country, and 282 without Hex is 282h or 11Ah. Of two "
+        "columns of values, old and new, one is not meant. Each reading makes a plant that starts, and one "
+        "of "
+        "them is wrong.",
     .bad =
         "Number;Parameter;Value;Unit\n"
         "16480;CanOpRPDO1-4Cyc(0);1.000;ms\n",
@@ -60,8 +63,8 @@ const Rule table_unit{
     .summary = "the unit of a row is the parameter's own",
     .reference = "GWM 7",
     .why =
-        "A time of 1 s is not one of 1 ms. Values are read as they stand and never converted, so that the "
-        "file shows what DcDesk shows.",
+        "A time of 1 s is not one of 1 ms, and 1000 Hex is no time at all. Values are read as they stand and "
+        "never converted, so that the file shows what DcDesk shows.",
     .bad =
         "Number;Parameter;Value;Unit\n"
         "16480;CanOpRPDO1-4Cyc(0);1;s\n",
@@ -104,11 +107,12 @@ const Rule table_measurement{
     .code = "E0507",
     .name = "table-measurement",
     .level = Level::note,
-    .summary = "rows of measurements are skipped: they show what was, and set nothing",
+    .summary = "rows that set nothing here are skipped: measurements, and what does not concern CANopen",
     .reference = "D16",
     .why =
         "A table printed from a running device holds measurements beside parameters. They belong to the "
-        "moment of printing and not to the configuration.",
+        "moment of printing and not to the configuration. A print of a whole device also holds parameters "
+        "that are not in the catalogue; a name or number that is nearly a known one is an error instead.",
     .bad =
         "Number;Parameter;Value;Unit\n"
         "401;CanMyNodeNumber;1;\n"

@@ -3,11 +3,13 @@
 #include <fmt/format.h>
 
 #include <filesystem>
+#include <sstream>
 #include <utility>
 
 #include "authoring/parameter_file_text.hpp"
 #include "base/files.hpp"
 #include "base/utf8.hpp"
+#include "emit/concerned.hpp"
 #include "toml/document.hpp"
 
 namespace cgw::driver {
@@ -45,6 +47,40 @@ std::vector<authoring::WrittenValue> written(const input::PrintedTable& table) {
     return values;
 }
 
+const input::PrintedTable& table_of(const ReadTables& tables, Device device) {
+    return device == Device::governor ? tables.governor : tables.gateway;
+}
+
+parameter::ParameterSet set_of(const input::PrintedTable& table) {
+    parameter::ParameterSet set;
+    for (const auto& [number, value] : table.values) {
+        parameter::Assignment assignment;
+        assignment.row = value.row;
+        assignment.value = value.value;
+        assignment.where = value.where;
+        set.assign(std::move(assignment));
+    }
+    return set;
+}
+
+// "Governor: not printed, taken as 0: 400, 402", in lines of a width that reads well.
+void remark_absent(std::vector<std::string>& remarks, std::string_view device, const std::string& numbers) {
+    constexpr std::size_t width = 90;
+    if (numbers.empty()) {
+        return;
+    }
+    std::string line = fmt::format("{}: not printed, taken as 0:", device);
+    std::istringstream words(numbers);
+    for (std::string word; words >> word;) {
+        if (line.size() + 1 + word.size() > width) {
+            remarks.push_back(line);
+            line = " ";
+        }
+        line += " " + word;
+    }
+    remarks.push_back(line);
+}
+
 std::string file_name(const std::string& path) {
     return path == "-" ? "standard input" : base::printable(std::filesystem::path(path).filename().string());
 }
@@ -62,15 +98,8 @@ TableSide side_of_tables(const CheckedFile& file, const ReadTables& tables) {
     TableSide side;
     side.settings = file.settings;
     for (const Device device : {Device::governor, Device::gateway}) {
-        const input::PrintedTable& table = device == Device::governor ? tables.governor : tables.gateway;
-        parameter::ParameterSet set;
-        for (const auto& [number, value] : table.values) {
-            parameter::Assignment assignment;
-            assignment.row = value.row;
-            assignment.value = value.value;
-            assignment.where = value.where;
-            set.assign(std::move(assignment));
-        }
+        const input::PrintedTable& table = table_of(tables, device);
+        parameter::ParameterSet set = set_of(table);
         for (const auto& [number, assignment] : file.settings.of(device).all()) {
             const bool is_absent = set.assign(assignment);
             if (is_absent && assignment.value != 0) {
@@ -83,12 +112,39 @@ TableSide side_of_tables(const CheckedFile& file, const ReadTables& tables) {
     return side;
 }
 
+std::string absent_numbers(const ReadTables& tables, Device device, const parameter::Catalogue& catalogue) {
+    const parameter::ParameterSet set = set_of(table_of(tables, device));
+    std::string text;
+    std::uint16_t first = 0;
+    std::uint16_t last = 0;
+    const auto close = [&] {
+        if (first != 0) {
+            text += text.empty() ? "" : ", ";
+            text += first == last ? fmt::format("{}", first) : fmt::format("{}..{}", first, last);
+        }
+    };
+    for (const parameter::Row* row : emit::concerned_rows(catalogue, device, set)) {
+        if (set.find(row->number) != nullptr || row->minimum.value_or(0) > 0) {
+            continue;
+        }
+        if (row->number != last + 1) {
+            close();
+            first = row->number;
+        }
+        last = row->number;
+    }
+    close();
+    return text;
+}
+
 std::string text_of_tables(const ReadTables& tables, const TablePaths& paths, const std::string& title,
                            const parameter::Catalogue& catalogue) {
     authoring::Draft draft;
     draft.title = title;
     draft.remarks = {fmt::format("Governor: {}; gateway: {}. Read by cgw import table.",
                                  file_name(paths.governor), file_name(paths.gateway))};
+    remark_absent(draft.remarks, "Governor", absent_numbers(tables, Device::governor, catalogue));
+    remark_absent(draft.remarks, "Gateway", absent_numbers(tables, Device::gateway, catalogue));
     draft.governor = written(tables.governor);
     draft.gateway = written(tables.gateway);
     return authoring::parameter_file_text(draft, catalogue);

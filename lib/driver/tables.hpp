@@ -41,6 +41,12 @@ struct TableSide {
 // The file must outlive the result.
 TableSide side_of_tables(const CheckedFile& file, const ReadTables& tables);
 
+// The numbers that concern CANopen and that the table of `device` does not print, so that the file leaves
+// them 0: "4416, 16400..16451"; "" when there are none. Parameters that cannot be 0 are not among them: cgw
+// check misses those.
+std::string absent_numbers(const ReadTables& tables, parameter::Device device,
+                           const parameter::Catalogue& catalogue);
+
 // A parameter file with the values of both tables.
 std::string text_of_tables(const ReadTables& tables, const TablePaths& paths, const std::string& title,
                            const parameter::Catalogue& catalogue);

@@ -17,10 +17,10 @@ constexpr std::array formats{
     Format{"html", "entry-sheet.html"},
 };
 
-void markdown_table(std::string& text, const DeviceSheet& sheet, bool only_differing) {
+void markdown_table(std::string& text, const DeviceSheet& sheet, bool only_set) {
     text += "| Device | Number | Parameter | Value | Unit | Default |\n|---|---:|---|---:|---|---:|\n";
     for (const SheetRow& row : sheet.rows) {
-        if (row.differs || !only_differing) {
+        if (row.is_set || !only_set) {
             text += fmt::format("| {} | {} | {} | {} | {} | {} |\n", parameter::to_text(sheet.device),
                                 row.row->number, markdown_cell(row.row->name), row.value,
                                 markdown_cell(row.unit), row.default_value);
@@ -31,6 +31,8 @@ void markdown_table(std::string& text, const DeviceSheet& sheet, bool only_diffe
 std::string render_sheet_markdown(const EntrySheet& sheet) {
     std::string text = fmt::format("# {}\n\nConfiguration `{}`, node {}\n", markdown_cell(heading_of(sheet)),
                                    sheet.configuration_id, sheet.node_id);
+    text += sheet.main_cycle.empty() ? "" : fmt::format("\n{}\n", sheet.main_cycle);
+    text += fmt::format("\n{}\n", defaults_remark);
     for (const DeviceSheet& device : sheet.devices) {
         text += fmt::format("\n## {}: set these\n\n", device_heading(device.device));
         markdown_table(text, device, true);
@@ -44,18 +46,18 @@ std::string render_sheet_markdown(const EntrySheet& sheet) {
     return text;
 }
 
-void csv_lines(std::string& text, const EntrySheet& sheet, const DeviceSheet& device, bool differing) {
+void csv_lines(std::string& text, const EntrySheet& sheet, const DeviceSheet& device, bool is_set) {
     for (const SheetRow& row : device.rows) {
-        if (row.differs == differing) {
+        if (row.is_set == is_set) {
             text += fmt::format("{},{},{},{},{},{},{},{},{}\n", parameter::to_text(device.device),
                                 row.row->number, csv_field(row.row->name), row.value, csv_field(row.unit),
-                                row.default_value == "-" ? "" : row.default_value, differing ? "yes" : "no",
+                                row.default_value == "-" ? "" : row.default_value, row.differs ? "yes" : "no",
                                 sheet.configuration_id, csv_field(sheet.title));
         }
     }
 }
 
-// Each parameter once: first what differs from the default, then the rest.
+// Each parameter once: first what the file sets, then the rest.
 std::string render_sheet_csv(const EntrySheet& sheet) {
     std::string text = "device,number,parameter,value,unit,default,differs,configuration_id,title\n";
     for (const DeviceSheet& device : sheet.devices) {

@@ -51,13 +51,13 @@ std::string table_row(const SheetRow& row) {
 }
 
 // `done` heads the column that is ticked by hand.
-std::string table(const DeviceSheet& sheet, bool only_differing, std::string_view done) {
+std::string table(const DeviceSheet& sheet, bool only_set, std::string_view done) {
     std::string text = fmt::format(
         "<table>\n<thead><tr><th class=\"n\">Number</th><th>Parameter</th><th class=\"n\">Value</th>"
         "<th>Unit</th><th class=\"n\">Default</th><th class=\"done\">{}</th></tr></thead>\n<tbody>\n",
         done);
     for (const SheetRow& row : sheet.rows) {
-        text += row.differs || !only_differing ? table_row(row) : "";
+        text += row.is_set || !only_set ? table_row(row) : "";
     }
     return text + "</tbody>\n</table>\n";
 }
@@ -70,6 +70,8 @@ std::string render_sheet_html(const EntrySheet& sheet) {
         "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n<title>{}</title>\n"
         "<style>\n{}</style>\n</head>\n<body>\n<h1>{}</h1>\n<p>Configuration <code>{}</code>, node {}</p>\n",
         heading, style, heading, sheet.configuration_id, sheet.node_id);
+    text += sheet.main_cycle.empty() ? "" : fmt::format("<p>{}</p>\n", html_text(sheet.main_cycle));
+    text += fmt::format("<p>{}</p>\n", html_text(defaults_remark));
     for (const DeviceSheet& device : sheet.devices) {
         const std::string_view name = device_heading(device.device);
         text += fmt::format("<h2>{}: set these</h2>\n{}", name, table(device, true, "Typed"));

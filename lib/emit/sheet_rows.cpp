@@ -30,6 +30,10 @@ const std::string_view switches_remark =
     "be "
     "3.";
 
+const std::string_view defaults_remark =
+    "Type the table \"set these\" alone only into a device whose other values are 0; otherwise type the "
+    "table \"all that concern CANopen\". Default 0 is an assumption: the manuals print no defaults.";
+
 namespace {
 
 // Parameters on which the Gateway's work depends, assigned or not.
@@ -37,7 +41,8 @@ struct Range {
     Device device;
     std::uint16_t first;
     std::uint16_t last;
-    std::uint16_t only_with = 0;  // this one is 1
+    std::uint16_t only_with = 0;     // this one is 1
+    std::uint16_t only_without = 0;  // this one is not 1
 };
 
 constexpr std::uint16_t last_assignment = governor::tpdo_cycle - 1;
@@ -45,7 +50,7 @@ constexpr std::uint16_t last_assignment = governor::tpdo_cycle - 1;
 constexpr Range deciding[] = {
     {Device::governor, governor::start_up_delay, governor::gateway_node},
     {Device::governor, governor::prescaler, governor::bit_rate - 1, governor::manual_timing},
-    {Device::governor, governor::bit_rate, governor::bit_rate},
+    {Device::governor, governor::bit_rate, governor::bit_rate, 0, governor::manual_timing},
     {Device::governor, governor::gateway_communication, governor::gateway_communication},
     {Device::governor, governor::manual_timing, governor::manual_timing},
     {Device::governor, governor::send_errors, governor::send_status},
@@ -54,10 +59,12 @@ constexpr Range deciding[] = {
     {Device::governor, governor::rpdo_monitoring, governor::rpdo_monitoring + config::rpdo_count - 1},
     {Device::gateway, gateway::start_up_delay, gateway::governor_node},
     {Device::gateway, gateway::hzm_prescaler, gateway::hzm_bit_rate - 1, gateway::hzm_manual_timing},
-    {Device::gateway, gateway::hzm_bit_rate, gateway::hzm_bit_rate},
+    {Device::gateway, gateway::hzm_bit_rate, gateway::hzm_bit_rate, 0, gateway::hzm_manual_timing},
     {Device::gateway, gateway::canopen_prescaler, gateway::canopen_bit_rate - 1,
      gateway::canopen_manual_timing},
-    {Device::gateway, gateway::canopen_bit_rate, gateway::heartbeat_consumer},
+    {Device::gateway, gateway::canopen_bit_rate, gateway::canopen_bit_rate, 0,
+     gateway::canopen_manual_timing},
+    {Device::gateway, gateway::canopen_bit_rate + 1, gateway::heartbeat_consumer},
     {Device::gateway, gateway::governor_communication, gateway::governor_communication},
     {Device::gateway, gateway::hzm_manual_timing, gateway::hzm_manual_timing},
     {Device::gateway, gateway::canopen_manual_timing, gateway::canopen_manual_timing},
@@ -88,7 +95,8 @@ bool is_concerned(const Row& row, const ParameterSet& set) {
     }
     return std::any_of(std::begin(deciding), std::end(deciding), [&](const Range& range) {
         return range.device == row.device && row.number >= range.first && row.number <= range.last &&
-               (range.only_with == 0 || set.value(range.only_with) == 1);
+               (range.only_with == 0 || set.value(range.only_with) == 1) &&
+               (range.only_without == 0 || set.value(range.only_without) != 1);
     });
 }
 
@@ -105,7 +113,7 @@ std::string decimal_text(double value) {
     return point != std::string::npos && text.size() - point == 4 ? text + "0" : text;
 }
 
-SheetRow sheet_row(const Row& row, double value) {
+SheetRow sheet_row(const Row& row, double value, bool is_set) {
     SheetRow result;
     result.row = &row;
     const bool is_hexadecimal = row.base == parameter::Base::hexadecimal && value >= 0;
@@ -113,6 +121,7 @@ SheetRow sheet_row(const Row& row, double value) {
         is_hexadecimal ? fmt::format("{:X}", static_cast<std::uint32_t>(value)) : decimal_text(value);
     result.unit = is_hexadecimal ? "Hex" : std::string(row.unit);
     result.default_value = row.minimum && *row.minimum > 0 ? "-" : "0";
+    result.is_set = is_set;
     result.differs = value != 0;
     return result;
 }
@@ -121,20 +130,38 @@ DeviceSheet device_sheet(const Plant& plant, Device device) {
     DeviceSheet sheet;
     sheet.device = device;
     const ParameterSet& set = plant.settings.of(device);
-    for (const Row* row : plant.catalogue.rows(device)) {
-        if (is_concerned(*row, set)) {
-            sheet.rows.push_back(sheet_row(*row, set.value(row->number)));
-        }
+    for (const Row* row : concerned_rows(plant.catalogue, device, set)) {
+        sheet.rows.push_back(sheet_row(*row, set.value(row->number), set.find(row->number) != nullptr));
     }
     return sheet;
 }
 
+// It decides how times are rounded (D8), and no parameter says it.
+std::string main_cycle_remark(const parameter::Settings& settings) {
+    return settings.main_cycle_us == parameter::Settings{}.main_cycle_us
+               ? ""
+               : fmt::format("Main cycle of the governor: {} us. It is no parameter: nothing to type.",
+                             settings.main_cycle_us);
+}
+
 }  // namespace
+
+std::vector<const Row*> concerned_rows(const parameter::Catalogue& catalogue, Device device,
+                                       const ParameterSet& set) {
+    std::vector<const Row*> rows;
+    for (const Row* row : catalogue.rows(device)) {
+        if (is_concerned(*row, set)) {
+            rows.push_back(row);
+        }
+    }
+    return rows;
+}
 
 EntrySheet entry_sheet(const Plant& plant) {
     return {plant.settings.title,
             plant.configuration_id_text,
             plant.configuration.node_id,
+            main_cycle_remark(plant.settings),
             {device_sheet(plant, Device::governor), device_sheet(plant, Device::gateway)}};
 }
 

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "emit/concerned.hpp"
 #include "emit/emitter.hpp"
 #include "parameter/row.hpp"
 
@@ -15,6 +16,7 @@ struct SheetRow {
     std::string value;  // as DcDesk shows it: "1.5", "282" with the unit Hex
     std::string unit;
     std::string default_value;  // "0"; "-" where 0 is out of range and somebody must choose
+    bool is_set = false;        // by the file, be it to 0
     bool differs = false;       // from 0
 };
 
@@ -27,18 +29,22 @@ struct EntrySheet {
     std::string title;
     std::string configuration_id;
     std::uint8_t node_id = 0;
+    std::string main_cycle;              // what to say of the governor's, "" for the usual one
     std::array<DeviceSheet, 2> devices;  // governor, gateway
 };
 
 // Every number that is assigned, and those not mentioned that decide what the Gateway does: they must be 0 in
-// the device, whatever it held before. Bit-timing registers belong to them only with manual timing. Refers to
-// the plant, which must outlive it.
+// the device, whatever it held before. Bit-timing registers belong to them only with manual timing, and bit
+// rates only without. Refers to the plant, which must outlive it.
 EntrySheet entry_sheet(const Plant& plant);
 
 // What is to be done after typing, in order (GWM 7).
 extern const std::array<std::string_view, 4> closing_steps;
 
 extern const std::string_view switches_remark;
+
+// Which of the two tables to type: the manuals print no defaults.
+extern const std::string_view defaults_remark;
 
 std::string heading_of(const EntrySheet& sheet);            // "Entry sheet: Genset 2"
 std::string_view device_heading(parameter::Device device);  // "Governor"

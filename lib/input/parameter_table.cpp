@@ -5,9 +5,11 @@
 #include <algorithm>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include "base/edit_distance.hpp"
 #include "base/numbers.hpp"
+#include "input/foreign_rows.hpp"
 #include "input/parameter_keys.hpp"
 #include "input/table_rows.hpp"
 #include "input/table_values.hpp"
@@ -35,7 +37,11 @@ class TableReader {
   public:
     TableReader(const std::string& path, Device device, const parameter::Catalogue& catalogue,
                 diagnostic::Findings& findings)
-        : path_(path), device_(device), catalogue_(catalogue), findings_(findings) {}
+        : path_(path),
+          device_(device),
+          catalogue_(catalogue),
+          findings_(findings),
+          foreign_rows_(device, catalogue) {}
 
     PrintedTable read(const RowsRead& read) {
         if (read.rows.empty()) {
@@ -45,6 +51,7 @@ class TableReader {
                 read_row(row);
             }
             report_measurements();
+            report_foreign(read.of_other_device);
         }
         return std::move(table_);
     }
@@ -108,7 +115,7 @@ class TableReader {
             return;
         }
         if (!parameter->settable()) {
-            measurements_.push_back({parameter, row.number.range});
+            measurements_.push_back({parameter, row.number.range, parameter->number});
             return;
         }
         ValueReading reading = read_table_value(*parameter, row.value.text, row.unit.text);
@@ -139,6 +146,10 @@ class TableReader {
     const Row* resolve(const TableRow& row) {
         const Row* found = resolve_silently(catalogue_, device_, spelling_of(row));
         const auto number = static_cast<std::uint16_t>(base::parse_integer(row.number.text).value_or(0));
+        if (found == nullptr && foreign_rows_.contains(row, number)) {
+            foreign_.push_back({nullptr, row.number.range, number});
+            return nullptr;
+        }
         if (found == nullptr) {
             report_unresolved(row, number);
             return nullptr;
@@ -188,6 +199,29 @@ class TableReader {
         return "leave out what does not concern CANopen";
     }
 
+    void report_foreign(std::size_t of_other_device) {
+        if (foreign_.empty()) {
+            return;
+        }
+        if (table_.values.empty() && measurements_.empty()) {
+            report_empty(of_other_device);
+            return;
+        }
+        constexpr std::size_t numbers_in_a_note = 12;
+        std::string numbers;
+        for (std::size_t i = 0; i < foreign_.size() && i < numbers_in_a_note; ++i) {
+            numbers += fmt::format("{}{}", i == 0 ? "" : ", ", foreign_[i].number);
+        }
+        const std::size_t count = foreign_.size();
+        if (count > numbers_in_a_note) {
+            numbers += fmt::format(" and {} more", count - numbers_in_a_note);
+        }
+        report(rules::table_measurement, foreign_.front().where,
+               fmt::format("skipped: {} that {} not concern CANopen: {}",
+                           count == 1 ? "a row" : fmt::format("{} rows", count), count == 1 ? "does" : "do",
+                           numbers));
+    }
+
     void report_measurements() {
         if (measurements_.empty()) {
             return;
@@ -204,17 +238,20 @@ class TableReader {
                fmt::format("{} skipped: {}", count == 1 ? "a measurement is" : "measurements are", names));
     }
 
-    struct Measurement {
-        const Row* row = nullptr;
+    struct Skipped {
+        const Row* row = nullptr;  // none: not in the catalogue
         diagnostic::Range where;
+        std::uint16_t number = 0;
     };
 
     const std::string& path_;
     Device device_;
     const parameter::Catalogue& catalogue_;
     diagnostic::Findings& findings_;
+    ForeignRows foreign_rows_;
     PrintedTable table_;
-    std::vector<Measurement> measurements_;
+    std::vector<Skipped> measurements_;
+    std::vector<Skipped> foreign_;
     int suggestions_ = 0;
 };
 
@@ -225,6 +262,14 @@ std::string without_form_feeds(std::string_view text) {
     return result;
 }
 
+bool is_html(std::string_view text) {
+    const std::size_t first = std::min(text.find_first_not_of("\xEF\xBB\xBF \t\r\n"), text.size());
+    std::string start(text.substr(first, 14));
+    std::transform(start.begin(), start.end(), start.begin(),
+                   [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+    return start.starts_with("<!doctype html") || start.starts_with("<html") || start.starts_with("<?xml");
+}
+
 }  // namespace
 
 PrintedTable read_parameter_table(std::string_view text, const std::string& path, Device device,
@@ -232,6 +277,14 @@ PrintedTable read_parameter_table(std::string_view text, const std::string& path
     const std::string readable = without_form_feeds(text);
     if (const auto complaint = toml::check_characters(toml::Source(readable))) {
         findings.report({complaint->rule, complaint->message, {path, complaint->where}, {}, complaint->help});
+        return {};
+    }
+    if (is_html(readable)) {
+        findings.report({&rules::table_empty,
+                         "this is a page in HTML and not a table in text",
+                         {path, {{1, 1}, {1, 1}}},
+                         {},
+                         "use the CSV or the Markdown of the sheet"});
         return {};
     }
     diagnostic::Findings own;

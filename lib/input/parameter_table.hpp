@@ -25,9 +25,10 @@ struct PrintedTable {
 
 // Columns are separated by tabs, semicolons, bars or blanks, by commas below a header that is; a header may
 // name them in another order, and a column Device keeps the rows of two devices apart. Headers, blank lines,
-// comments (#, //) and other text are passed over; what is nearly a row is not. Measurements are skipped with
-// a note (D16), known misprints accepted with one (D2, D10). Every mistake is reported, at its place in the
-// table; after an error the table is incomplete.
+// comments (#, //) and other text are passed over; what is nearly a row is not. Measurements (D16) and
+// rows of parameters that do not concern CANopen are skipped with a note each, known misprints accepted with
+// one (D2, D10). Every mistake is reported, at its place in the table; after an error the table is
+// incomplete.
 PrintedTable read_parameter_table(std::string_view text, const std::string& path, parameter::Device device,
                                   const parameter::Catalogue& catalogue, diagnostic::Findings& findings);
 

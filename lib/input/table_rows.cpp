@@ -162,6 +162,19 @@ class RowReader {
         return {at(0), value == 1 ? Cell{"", line.range} : at(1), at(value), at(value + 1), false};
     }
 
+    // Which of two numbers is the value, blanks do not say: "902 2 Sensor 5". Further columns need a header.
+    const Cell* further_number(const CellLine& line) const {
+        constexpr std::size_t most_cells = 4;
+        const std::size_t behind_unit =
+            line.cells.size() > 1 && looks_like_number(line.cells[1].text) ? 3 : 4;
+        for (std::size_t i = behind_unit; header_size_ <= most_cells && i < line.cells.size(); ++i) {
+            if (looks_like_number(line.cells[i].text)) {
+                return &line.cells[i];
+            }
+        }
+        return nullptr;
+    }
+
     void read_row(const CellLine& line) {
         const bool in_words = line.separation == Separation::blanks;
         TableRow row = in_words ? row_of_words(line)
@@ -177,6 +190,10 @@ class RowReader {
                    fmt::format("the row has {} cells below a header of {}: is one a decimal comma?",
                                line.cells.size(), header_size_),
                    "write decimals with a point, or separate the columns with semicolons");
+        } else if (const Cell* further = in_words ? further_number(line) : nullptr) {
+            report(rules::table_value_ambiguous, further->range,
+                   fmt::format("the row has another number, {}, behind its value", further->text),
+                   "separate the columns with tabs or semicolons, or give each column a name in a header");
         } else if (is_number(row.number) && is_of_this_device(line)) {
             result_.rows.push_back(std::move(row));
         }
@@ -238,7 +255,7 @@ class RowReader {
             const std::string shown = found.text.empty() ? "no number" : toml::quoted(found.text);
             report(rules::table_row, found.text.empty() ? line.range : found.range,
                    fmt::format("a row has {} where its parameter's number belongs", shown),
-                   "begin a line that is no row with #");
+                   "delete what stands before the number, or begin a line that is no row with #");
         }
     }
 

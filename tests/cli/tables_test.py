@@ -78,6 +78,28 @@ class ImportTable(Case):
         self.assertEqual(result.returncode, 0, result.stderr)
         self.assertEqual(cgw("check", "-", stdin=result.stdout).returncode, 0)
 
+    def test_a_file_that_exists_is_overwritten_only_when_told(self):
+        out = self.write("plant.toml", "mine")
+        tables = ["--governor", self.governor_table(), "--gateway", GATEWAY_TABLE, "-o", out]
+        result = cgw("import", "table", *tables)
+        self.assertEqual((result.returncode, result.stdout), (2, b""))
+        self.assertIn(b"plant.toml exists; --force overwrites it", result.stderr)
+        self.assertEqual(out.read_text(), "mine")
+        self.assertEqual(cgw("import", "table", *tables, "--force").returncode, 0)
+        self.assertIn("format = 1", out.read_text())
+
+    def test_what_the_tables_do_not_print_is_said_and_written(self):
+        out = self.dir / "plant.toml"
+        table = self.governor_table(lambda text: text.replace("14401", "# 14401"))
+        result = cgw("import", "table", "--governor", table, "--gateway", GATEWAY_TABLE, "-o", out)
+        note = rb"governor\.txt: note: .* taken as 0: .*14401, "
+        self.assertRegex(result.stderr, note)
+        self.assertRegex(out.read_text(), r"# Governor: not printed, taken as 0:[^\n]* 14401,")
+        whole = self.write("sheet.csv", cgw("emit", "entry-sheet", GENSET, "--format", "csv").stdout.decode())
+        result = cgw("import", "table", "--governor", whole, "--gateway", whole)
+        self.assertEqual((result.returncode, result.stderr), (0, b""))
+        self.assertNotIn(b"taken as 0", result.stdout)
+
     def test_wrong_usage(self):
         table = self.governor_table()
         before = table.read_bytes()

@@ -142,6 +142,74 @@ TEST(EntrySheets, of_random_plants_come_back) {
     }
 }
 
+// Registers instead of rates: a rate that is not used cannot be 0, and is not on the sheet.
+constexpr std::string_view manual_timing =
+    "format = 1\n[governor.parameters]\n401 = 1\n403 = 1\n4406 = 1\n4416 = 1\n410 = 1\n413 = 6\n414 = 7\n"
+    "[gateway.parameters]\n401 = 1\n402 = 1\n4400 = 1\n427 = 1\n429 = 1000\n4416 = 1\n4426 = 1\n"
+    "410 = 1\n413 = 6\n414 = 7\n415 = 0\n420 = 1\n423 = 6\n424 = 7\n425 = 0\n";
+
+TEST(EntrySheets, with_manual_timing_come_back_without_bit_rates) {
+    const CheckedFile file = check_text("manual.toml", std::string(manual_timing));
+    ASSERT_TRUE(file.valid()) << file.findings.all()[0].message;
+    const Directory directory;
+    for (const std::string format : {"md", "csv"}) {
+        EXPECT_EQ(round_trip_id(file, format, directory), short_configuration_id(file.settings)) << format;
+        EXPECT_EQ(sheet_of(file, format).find("kbit/s"), std::string::npos);
+    }
+}
+
+TEST(EntrySheets, print_a_rate_that_is_set_beside_manual_timing) {
+    const CheckedFile file = check_text("manual.toml", std::string(manual_timing) + "426 = 250\n");
+    ASSERT_TRUE(file.valid()) << file.findings.all()[0].message;
+    const std::string sheet = sheet_of(file, "csv");
+    EXPECT_NE(sheet.find("gateway,426,CanOpenBaudrate,250,kbit/s"), std::string::npos) << sheet;
+    EXPECT_EQ(sheet.find(",416,"), std::string::npos) << sheet;
+    EXPECT_EQ(round_trip_id(file, "csv", Directory()), short_configuration_id(file.settings));
+}
+
+TEST(EntrySheets, list_what_is_set_to_0_in_the_first_table_too) {
+    const CheckedFile file = check_text("manual.toml", std::string(manual_timing));
+    const std::string sheet = sheet_of(file, "md");
+    const std::size_t first = sheet.find("| gateway | 415 | HzmCanPropSegment | 0 |");
+    ASSERT_NE(first, std::string::npos) << sheet;
+    EXPECT_LT(first, sheet.find("## Gateway: all that concern CANopen"));
+    EXPECT_GT(sheet.find("| gateway | 411 |"), sheet.find("## Gateway: all that concern CANopen"));
+    EXPECT_NE(sheet.find("the manuals print no defaults"), std::string::npos);
+    EXPECT_EQ(sheet.find("Main cycle"), std::string::npos);
+}
+
+TEST(EntrySheets, say_the_main_cycle_when_it_is_not_the_usual_one) {
+    std::string text(manual_timing);
+    text.replace(text.find("[governor.parameters]"), 0, "[governor]\nmain_cycle_us = 10000\n");
+    const CheckedFile file = check_text("manual.toml", text);
+    ASSERT_TRUE(file.valid()) << file.findings.all()[0].message;
+    for (const std::string format : {"md", "html"}) {
+        EXPECT_NE(sheet_of(file, format).find("Main cycle of the governor: 10000 us."), std::string::npos);
+    }
+    EXPECT_EQ(round_trip_id(file, "md", Directory()), short_configuration_id(file.settings));
+}
+
+TEST(Tables, say_which_numbers_of_concern_they_do_not_print) {
+    const CheckedFile file = check_file(CGW_SAMPLES "/genset.toml");
+    const Directory directory;
+    const std::string whole = directory.write("whole.csv", sheet_of(file, "csv"));
+    const ReadTables complete = read_tables({whole, whole}, *file.catalogue);
+    EXPECT_EQ(absent_numbers(complete, parameter::Device::governor, *file.catalogue), "");
+    EXPECT_EQ(absent_numbers(complete, parameter::Device::gateway, *file.catalogue), "");
+    const std::string governor = directory.write("governor.txt", "401 1\n403 1\n416 250\n4416 0\n900 2\n");
+    const std::string gateway = directory.write("gateway.txt", "4416 1\n4426 0\n402 1\n");
+    const TablePaths paths{governor, gateway};
+    const ReadTables tables = read_tables(paths, *file.catalogue);
+    EXPECT_EQ(absent_numbers(tables, parameter::Device::governor, *file.catalogue),
+              "400, 4406, 4900, 14401..14402, 16400..16451, 16460..16472, 16480..16483");
+    EXPECT_EQ(absent_numbers(tables, parameter::Device::gateway, *file.catalogue),
+              "400, 410..415, 428..430, 4400, 16404..16415");
+    const std::string text = text_of_tables(tables, paths, "", *file.catalogue);
+    EXPECT_NE(text.find("# Gateway: not printed, taken as 0: 400, 410..415, 428..430, 4400, 16404..16415\n"),
+              std::string::npos)
+        << text;
+}
+
 TEST(Tables, that_cannot_be_read_are_a_finding_of_their_own) {
     const parameter::Catalogue catalogue(catalogue::shipped_rows());
     const Directory directory;

@@ -253,6 +253,11 @@ TEST(ParameterTable, takes_no_digit_of_a_name_for_a_value) {
               "E0501 1:5 902 has no name known here, so `Sensor` may be its name or part of it\n");
     EXPECT_EQ(findings_in("4902 Type 3 \n"),
               "E0501 1:6 4902 has no name known here, so `Type` may be its name or part of it\n");
+    EXPECT_EQ(findings_in("902 2 Sensor 5\n"),
+              "E0502 1:14 the row has another number, 5, behind its value\n");
+    EXPECT_EQ(findings_in("416 CanBaudrate 250 kbit/s 500\n"),
+              "E0502 1:28 the row has another number, 500, behind its value\n");
+    EXPECT_EQ(values_in("Number Parameter Value Unit Default\n416 CanBaudrate 250 kbit/s 125\n"), "416=250");
     EXPECT_EQ(values_in("902 2\n903;Sensor 2;3\n827 FunctSetpoint2Or1 5\n"), "827=5 902=2 903=3");
 }
 
@@ -396,12 +401,60 @@ TEST(ParameterTable, refuses_a_name_of_another_number) {
 }
 
 TEST(ParameterTable, refuses_unknown_numbers_with_a_hint) {
-    const Read result = read("401;;1\n403;;1\n402;CanDCNodeNumber;1\n1234;Gain;7\n417;CanBaudrat;250\n");
+    const Read result = read("401;;1\n403;;1\n402;CanDCNodeNumber;1\n1234;;7\n417;CanBaudrat;250\n");
     ASSERT_EQ(result.findings.all().size(), 3U) << text_of(result.findings);
     EXPECT_EQ(result.findings.all()[0].help, "402 CanDCNodeNumber belongs to the gateway");
-    EXPECT_EQ(result.findings.all()[1].message, "the governor has no parameter `1234 Gain`");
+    EXPECT_EQ(result.findings.all()[1].message, "the governor has no parameter `1234`");
     EXPECT_EQ(result.findings.all()[1].help, "leave out what does not concern CANopen");
     EXPECT_EQ(result.findings.all()[2].help, "did you mean 416 CanBaudrate?");
+}
+
+TEST(ParameterTable, skips_rows_foreign_to_canopen_with_one_note) {
+    const Read result = read(
+        "1;TeethPickUp1;160\n10;StartSpeed;200;1/min\n401;CanMyNodeNumber;1\n100;GainPrime;12;%\n"
+        "6100;GainMap(3);401\n");
+    EXPECT_EQ(text_of(result.findings),
+              "E0507 1:1 skipped: 4 rows that do not concern CANopen: 1, 10, 100, 6100\n");
+    EXPECT_EQ(values_of(result.table), "401=1");
+    EXPECT_EQ(findings_in("401 1\n1 TeethPickUp1 160\n"),
+              "E0507 2:1 skipped: a row that does not concern CANopen: 1\n");
+    std::string many = "401;;1\n";
+    for (int i = 1; i <= 20; ++i) {
+        many += fmt::format("{};Zyklop{};1\n", i, i);
+    }
+    EXPECT_EQ(
+        findings_in(many),
+        "E0507 2:1 skipped: 20 rows that do not concern CANopen: 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12 and "
+        "8 more\n");
+}
+
+TEST(ParameterTable, skips_nothing_that_may_be_a_slip) {
+    const auto error = [](std::string_view row) {
+        const std::string found = findings_in(fmt::format("403;CanCMNodeNumber;1\n{}\n", row));
+        return found.substr(0, found.find(' '));
+    };
+    EXPECT_EQ(error("4010;CanMyNodNumber;1"), "E0105");
+    EXPECT_EQ(error("4010;CanMyNodeNumber;1"), "E0106");
+    EXPECT_EQ(error("401;Zyklop;1"), "E0106");
+    EXPECT_EQ(error("4010;;1"), "E0105");
+    EXPECT_EQ(error("1;401;CanMyNodeNumber;1"), "E0105");
+    EXPECT_EQ(error("1;Zyklop;CanMyNodeNumber;1"), "E0105");
+    EXPECT_EQ(error("1 401 CanMyNodeNumber"), "E0105");
+    EXPECT_EQ(error("1 401 CanMyNodeNumber 1"), "E0502");
+    EXPECT_EQ(error("4010 Can MyNodeNumber 1"), "E0105");
+    EXPECT_EQ(error("402;CanDCNodeNumber;1"), "E0105");
+}
+
+TEST(ParameterTable, of_foreign_rows_alone_is_refused) {
+    EXPECT_EQ(findings_in("1;TeethPickUp1;160\n"), "E0506 0:0 the table of the governor has no row\n");
+}
+
+TEST(ParameterTable, is_no_page_in_html) {
+    for (const std::string_view page : {"<!DOCTYPE html>\n<html>", "\xEF\xBB\xBF\n<HTML><td>401</td>"}) {
+        const Read result = read(page);
+        EXPECT_EQ(text_of(result.findings), "E0506 1:1 this is a page in HTML and not a table in text\n");
+        EXPECT_EQ(result.findings.all()[0].help, "use the CSV or the Markdown of the sheet");
+    }
 }
 
 TEST(ParameterTable, of_the_wrong_device_is_one_mistake) {
