@@ -31,10 +31,11 @@ std::vector<Word> rule_words() {
     return words;
 }
 
-const diagnostic::Rule* find_rule(std::string_view name) {
+// By name or by code, as findings print both.
+const diagnostic::Rule* find_rule(std::string_view word) {
     const auto rules = diagnostic::all_rules();
-    const auto found =
-        std::find_if(rules.begin(), rules.end(), [name](const auto* r) { return r->name == name; });
+    const auto found = std::find_if(rules.begin(), rules.end(),
+                                    [word](const auto* r) { return r->name == word || r->code == word; });
     return found != rules.end() ? *found : nullptr;
 }
 
@@ -47,6 +48,7 @@ void apply_warning_word(const std::string& word, std::vector<const diagnostic::R
         std::vector<std::string_view> names;
         for (const diagnostic::Rule* known : diagnostic::all_rules()) {
             names.push_back(known->name);
+            names.push_back(known->code);
         }
         throw UsageError(
             fmt::format("-W {}: there is no rule '{}'{}", word, name, did_you_mean(name, names)));
@@ -74,7 +76,7 @@ constexpr Option check_options[] = {
     {.names = "--werror", .summary = "treat warnings as errors"},
     {.names = "-W",
      .value = "NAME",
-     .summary = "show (NAME) or hide (no-NAME) a warning or note; may be repeated",
+     .summary = "show (NAME) or hide (no-NAME) a warning or note, by name or code",
      .repeats = true,
      .words = rule_words,
      .only_words = false},

@@ -50,6 +50,8 @@ constexpr ListRow lists[] = {
     {"emitters", "artefacts that build and emit write", false, [](const Request&) { return emitter_list(); }},
     {"codes", "error numbers of the devices and SDO abort codes", true,
      [](const Request& r) { return explain::code_list(r.catalogue, r.device); }},
+    {"assumptions", "points that the documents leave open, to measure on a device", false,
+     [](const Request&) { return explain::assumption_list(); }},
 };
 
 std::vector<Word> list_words() {
@@ -112,9 +114,10 @@ int list(const Arguments& arguments) {
 
 }  // namespace
 
-const Verb list_verb = {"list", "list what cgw knows: parameters, checks, emitters, codes", list_options,
-                        list,
+const Verb list_verb = {"list", "list what cgw knows: parameters, checks, emitters, codes, assumptions",
+                        list_options, list,
                         "In table and md the elements of an array share a line; in json and csv every\n"
-                        "number has a line of its own.\n"};
+                        "number has a line of its own. --device gateway includes the gateway's\n"
+                        "bootloader: a group of its own for people, `program` in json and csv.\n"};
 
 }  // namespace cgw::cli

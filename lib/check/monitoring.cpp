@@ -5,10 +5,12 @@
 
 #include <algorithm>
 #include <iterator>
+#include <optional>
 #include <utility>
 
 #include "check/subjects.hpp"
 #include "check/support.hpp"
+#include "config/monitoring_time.hpp"
 #include "config/numbers.hpp"
 
 namespace cgw::check {
@@ -25,22 +27,16 @@ std::uint16_t monitoring_parameter(const config::Pdo& pdo) {
     return static_cast<std::uint16_t>(governor::rpdo_monitoring + pdo.number - 1);
 }
 
-// The smallest whole ms that becomes at least so many main cycles.
-std::uint64_t milliseconds_for(std::uint64_t cycles, std::uint32_t main_cycle_us) {
-    return (cycles * main_cycle_us + 999) / 1000;
-}
-
 std::string help_for_early(const Watch& watch) {
-    const std::uint64_t asked_us = std::uint64_t{watch.time.asked_ms} * 1000;
-    const std::uint64_t cycles = (asked_us + watch.main_cycle_us - 1) / watch.main_cycle_us;
-    if (cycles > watch.most_cycles) {
+    const std::optional<config::CyclicTime> next =
+        config::next_time_that_works(watch.time, watch.main_cycle_us, watch.most_cycles);
+    if (!next) {
         return fmt::format("no longer time is possible: let the sender send more often than every {}",
                            milliseconds(watch.time.effective_us));
     }
-    const std::uint64_t next_ms = milliseconds_for(cycles, watch.main_cycle_us);
-    const std::uint64_t effective_us = cycles * watch.main_cycle_us;
-    return fmt::format("{} ms is the next time that works: {} main cycles{}", next_ms, cycles,
-                       effective_us == next_ms * 1000 ? "" : ", " + milliseconds(effective_us));
+    return fmt::format(
+        "{} ms is the next time that works: {} main cycles{}", next->asked_ms, next->cycles,
+        next->effective_us == next->asked_ms * 1000 ? "" : ", " + milliseconds(next->effective_us));
 }
 
 // The first switch or sensor that the RPDO carries.
@@ -109,7 +105,7 @@ std::vector<Watch> watches(const Context& context) {
 void check_early_monitoring(const Context& context) {
     for (const Watch& watch : watches(context)) {
         const Assignment* assignment = sound(context, watch.device, watch.number);
-        if (assignment == nullptr || !watch.active || watch.is_short() || !watch.trips_early()) {
+        if (assignment == nullptr || !watch.active || watch.is_short() || !config::trips_early(watch.time)) {
             continue;
         }
         context.findings.report(
@@ -140,7 +136,7 @@ void check_short_monitoring(const Context& context) {
              .where = assignment->where,
              .help = fmt::format("the shortest time of two main cycles is {} ms; several times the sender's "
                                  "cycle is better",
-                                 milliseconds_for(2, watch.main_cycle_us))});
+                                 config::milliseconds_for(2, watch.main_cycle_us))});
     }
 }
 

@@ -23,9 +23,6 @@ struct Watch {
 
     // A single main cycle leaves no room for a telegram that has to wait for the bus.
     bool is_short() const { return time.asked_ms != 0 && time.cycles < 2; }
-    // D9: what is sent exactly at the asked time comes too late. Less than 1 ms cannot be typed better: then
-    // the time is the smallest one of its number of cycles.
-    bool trips_early() const { return time.effective_us + 1000 <= std::uint64_t{time.asked_ms} * 1000; }
 };
 
 std::vector<Watch> watches(const Context& context);

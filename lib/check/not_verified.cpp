@@ -3,6 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <set>
+
 #include "check/support.hpp"
 #include "config/numbers.hpp"
 
@@ -20,7 +23,7 @@ constexpr std::size_t most_listed = 5;
 template <typename Numbers>
 std::string listed(const Numbers& numbers) {
     return numbers.size() <= most_listed ? fmt::format("{}", fmt::join(numbers, ", "))
-                                         : fmt::format("{}, ... ({})", numbers.front(), numbers.size());
+                                         : fmt::format("{}, ... ({})", *numbers.begin(), numbers.size());
 }
 
 std::string governor_timing(const Context& context) {
@@ -66,6 +69,28 @@ std::string unnamed_sensors(const Context& context) {
     return numbers.empty() ? "" : fmt::format("sensors {}: whether this governor has them", listed(numbers));
 }
 
+// A measurement whose end values are parameters: without them its words are bare numbers.
+std::string unknown_scaling(const Context& context) {
+    std::set<std::uint16_t> words;
+    std::set<std::uint16_t> missing;
+    for (const config::AnalogueOutput& output : context.configuration.analogue_outputs) {
+        if (!output.parameter->scaling) {
+            continue;
+        }
+        const parameter::Scaling& scaling = *output.parameter->scaling;
+        for (const std::uint16_t number :
+             {scaling.external_minimum_parameter, scaling.external_maximum_parameter}) {
+            if (number != 0 && context.settings.governor.find(number) == nullptr) {
+                words.insert(output.parameter->number);
+                missing.insert(number);
+            }
+        }
+    }
+    return words.empty() ? ""
+                         : fmt::format("scaling of {}: {} {} not set", listed(words), listed(missing),
+                                       missing.size() == 1 ? "is" : "are");
+}
+
 std::string other_nodes(const Context& context) {
     std::vector<unsigned> nodes;
     for (const parameter::NetworkNode& node : context.settings.network_nodes) {
@@ -74,6 +99,7 @@ std::string other_nodes(const Context& context) {
     if (nodes.empty()) {
         return "other nodes: their ids and identifiers; [network] lists none";
     }
+    std::sort(nodes.begin(), nodes.end());
     return fmt::format("other nodes: identifiers beyond the default ones of {}", listed(nodes));
 }
 
@@ -82,7 +108,8 @@ std::string devices(const Context& /*context*/) {
 }
 
 constexpr std::string (*table[])(const Context&) = {
-    governor_timing, gateway_timing, canopen_timing, unnamed_switches, unnamed_sensors, other_nodes, devices,
+    governor_timing, gateway_timing,  canopen_timing, unnamed_switches,
+    unnamed_sensors, unknown_scaling, other_nodes,    devices,
 };
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include "check/monitoring.hpp"
 #include "check/subjects.hpp"
 #include "check/support.hpp"
+#include "config/monitoring_time.hpp"
 #include "config/numbers.hpp"
 
 namespace cgw::check {
@@ -77,7 +78,7 @@ void check_quantised_times(const Context& context) {
         const Assignment* assignment = sound(context, decision.device, decision.parameter);
         const bool has_warning = std::any_of(all.begin(), all.end(), [&](const Watch& watch) {
             return watch.device == decision.device && watch.number == decision.parameter && watch.active &&
-                   (watch.is_short() || watch.trips_early());
+                   (watch.is_short() || config::trips_early(watch.time));
         });
         if (assignment == nullptr || has_warning) {
             continue;

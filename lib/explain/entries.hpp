@@ -28,6 +28,9 @@ Entry abort_code_entry(const AbortCodeRow& row);
 // The object or its entry; nullopt when the Gateway has none.
 std::optional<Entry> object_entry(const ObjectName& name, const parameter::Catalogue& catalogue);
 
+// What the device makes of a time; nothing where the parameter is none.
+void add_time(Entry& entry, const parameter::Row& row, std::uint32_t value);
+
 // What the value of a parameter or an object says.
 Entry parameter_value_entry(const parameter::Row& row, std::uint32_t value,
                             const parameter::Catalogue& catalogue);

@@ -87,13 +87,43 @@ std::vector<std::string> word_text(const Row& row) {
     return lines;
 }
 
+// What both devices hold of the same thing.
+struct Counterpart {
+    std::uint16_t governor;
+    std::uint16_t gateway;
+    std::string_view demand;
+};
+
+constexpr Counterpart counterparts[] = {
+    {400, 400, "set both alike"},
+    {401, 402, "they must agree"},
+    {403, 401, "they must agree"},
+    {416, 416, "one bus, one bit rate"},
+    {4406, 4400, "without both nothing is exchanged"},
+};
+
+std::string counterpart_text(const Row& row, const Catalogue& catalogue) {
+    const bool in_governor = row.device == Device::governor;
+    for (const Counterpart& both : counterparts) {
+        if (row.program == parameter::Program::application &&
+            row.number == (in_governor ? both.governor : both.gateway)) {
+            const Device other = in_governor ? Device::gateway : Device::governor;
+            const Row* const partner = catalogue.find(other, in_governor ? both.gateway : both.governor);
+            return partner == nullptr
+                       ? ""
+                       : fmt::format("{} {}: {}", to_text(other), label(*partner), both.demand);
+        }
+    }
+    return {};
+}
+
 // 8nn and 48nn, 9nn and 49nn belong together.
 std::string partner_text(const Row& row, const Catalogue& catalogue) {
     constexpr std::uint16_t distance = 4000;
     const bool assignment = row.role == Role::switch_assignment || row.role == Role::sensor_assignment;
     const bool type = row.role == Role::switch_type || row.role == Role::sensor_type;
     if (!assignment && !type) {
-        return {};
+        return counterpart_text(row, catalogue);
     }
     const int number = assignment ? row.number + distance : row.number - distance;
     return fmt::format(

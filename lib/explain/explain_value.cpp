@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "catalogue/objects.hpp"
+#include "config/configuration.hpp"
 #include "config/numbers.hpp"
 #include "explain/device_objects.hpp"
 #include "explain/entries.hpp"
@@ -79,36 +80,6 @@ const NamedBit* find_bit(std::span<const NamedBit> bits, unsigned bit) {
     return found != bits.end() ? &*found : nullptr;
 }
 
-void add_object_bits(Entry& entry, const ObjectName& name, std::uint32_t value, unsigned width,
-                     const Catalogue& catalogue) {
-    const std::uint8_t sub = name.sub.value_or(0);
-    const catalogue::ObjectDescription* object = catalogue::find_object(name.index, sub);
-    const std::vector<NamedBit> bits = catalogue::object_bits(name.index, sub, catalogue);
-    for (unsigned bit = 0; bit < width; ++bit) {
-        if (!is_set(value, bit)) {
-            continue;
-        }
-        const std::string title = fmt::format("bit {}", bit);
-        const NamedBit* named = find_bit(bits, bit);
-        const bool is_parameter = object->bit_parameter != 0;
-        const int number = is_parameter
-                               ? object->bit_parameter + (sub - object->first_sub) * static_cast<int>(word) +
-                                     static_cast<int>(bit)
-                               : 0;
-        if (named == nullptr) {
-            entry.add(title, unknown_bit_lines(*object, number));
-        } else if (is_parameter) {
-            entry.add(title, parameter_bit_lines(static_cast<std::uint16_t>(number), catalogue),
-                      Style::lines);
-        } else {
-            entry.add(title, fmt::format("{}: {}", named->name, named->text));
-        }
-    }
-    if (value == 0 && (!bits.empty() || object->bit_parameter != 0)) {
-        entry.add("bits", "none is set");
-    }
-}
-
 // --- words that are no bits: COB-IDs, mapping entries, the consumer heartbeat ---
 
 void add_cob_id(Entry& entry, std::uint32_t value) {
@@ -131,6 +102,38 @@ void add_heartbeat(Entry& entry, std::uint32_t value) {
     entry.add("time", value == 0 ? "" : fmt::format("{} ms, effective", value & half));
 }
 
+void add_period(Entry& entry, std::uint32_t value) {
+    entry.add("time", value == 0 ? "0: none" : fmt::format("{} ms, effective", value));
+}
+
+void add_serial(Entry& entry, std::uint32_t value) {
+    constexpr std::uint32_t half = 0xFFFF;
+    entry.add("number", fmt::format("3844 is {}, 3845 is {}", value >> 16U, value & half));
+}
+
+void add_transmission_type(Entry& entry, std::uint32_t value) {
+    entry.add("number",
+              fmt::format("{}{}", value,
+                          value == config::transmission_type ? "" : ", which the gateway never has"));
+}
+
+constexpr std::string_view of_configuration =
+    "what it means depends on the configuration: `cgw emit pdo-table` tells";
+
+void add_unsigned_word(Entry& entry, std::uint32_t value) {
+    entry.add("word", fmt::format("{}; {}", value, of_configuration));
+}
+
+void add_signed_word(Entry& entry, std::uint32_t value) {
+    const auto number = static_cast<std::int16_t>(static_cast<std::uint16_t>(value));
+    entry.add("word", fmt::format("{}; {}", number, of_configuration));
+}
+
+// What has neither bits nor a form of its own.
+void add_number(Entry& entry, std::uint32_t value) {
+    entry.add("number", fmt::format("{} ({:X}h)", value, value));
+}
+
 struct Decoder {
     std::uint16_t first;
     std::uint16_t last;
@@ -139,10 +142,16 @@ struct Decoder {
     void (*add)(Entry& entry, std::uint32_t value);
 };
 
+constexpr std::uint8_t any = 0xFF;
 constexpr Decoder decoders[] = {
-    {0x1016, 0x1016, 1, 1, add_heartbeat}, {0x1400, 0x1403, 1, 1, add_cob_id},
-    {0x1600, 0x1603, 1, 4, add_mapping},   {0x1800, 0x180F, 1, 1, add_cob_id},
-    {0x1A00, 0x1A0F, 1, 4, add_mapping},
+    {0x1016, 0x1016, 1, 1, add_heartbeat},       {0x1017, 0x1017, 0, 0, add_period},
+    {0x1018, 0x1018, 4, 4, add_serial},          {0x1200, 0x1200, 1, 2, add_cob_id},
+    {0x1400, 0x1403, 1, 1, add_cob_id},          {0x1400, 0x1403, 2, 2, add_transmission_type},
+    {0x1400, 0x1403, 5, 5, add_period},          {0x1600, 0x1603, 1, 4, add_mapping},
+    {0x1800, 0x180F, 1, 1, add_cob_id},          {0x1800, 0x180F, 2, 2, add_transmission_type},
+    {0x1800, 0x180F, 5, 5, add_period},          {0x1A00, 0x1A0F, 1, 4, add_mapping},
+    {0x2001, 0x2001, 1, any, add_unsigned_word}, {0x2002, 0x2002, 1, any, add_signed_word},
+    {0x2004, 0x2004, 1, any, add_unsigned_word},
 };
 
 const Decoder* find_decoder(std::uint16_t index, std::uint8_t sub) {
@@ -151,6 +160,40 @@ const Decoder* find_decoder(std::uint16_t index, std::uint8_t sub) {
         return index >= d.first && index <= d.last && sub >= d.first_sub && sub <= d.last_sub;
     });
     return found != end ? found : nullptr;
+}
+
+void add_object_bits(Entry& entry, const ObjectName& name, std::uint32_t value, unsigned width,
+                     const Catalogue& catalogue) {
+    const std::uint8_t sub = name.sub.value_or(0);
+    const catalogue::ObjectDescription* object = catalogue::find_object(name.index, sub);
+    const std::vector<NamedBit> bits = catalogue::object_bits(name.index, sub, catalogue);
+    if (bits.empty() && object->bit_parameter == 0) {
+        add_number(entry, value);
+        return;
+    }
+    for (unsigned bit = 0; bit < width; ++bit) {
+        if (!is_set(value, bit)) {
+            continue;
+        }
+        const std::string title = fmt::format("bit {}", bit);
+        const NamedBit* named = find_bit(bits, bit);
+        const bool is_parameter = object->bit_parameter != 0;
+        const int number = is_parameter
+                               ? object->bit_parameter + (sub - object->first_sub) * static_cast<int>(word) +
+                                     static_cast<int>(bit)
+                               : 0;
+        if (named == nullptr) {
+            entry.add(title, unknown_bit_lines(*object, number));
+        } else if (is_parameter) {
+            entry.add(title, parameter_bit_lines(static_cast<std::uint16_t>(number), catalogue),
+                      Style::lines);
+        } else {
+            entry.add(title, fmt::format("{}: {}", named->name, named->text));
+        }
+    }
+    if (value == 0) {
+        entry.add("bits", "none is set");
+    }
 }
 
 // --- parameters ---
@@ -199,6 +242,7 @@ Entry parameter_value_entry(const Row& row, std::uint32_t value, const Catalogue
         }
     }
     add_parameter_bits(entry, row, value);
+    add_time(entry, row, value);
     entry.add("range", range_judgement(row, value));
     const ErrorDescription* error = catalogue::find_error(row.device, row.program, row.number);
     if (error == nullptr || value == 0 || error->counter == row.number) {

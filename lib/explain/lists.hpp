@@ -16,6 +16,9 @@ Table parameter_list(const parameter::Catalogue& catalogue, std::optional<parame
 // The rules behind the findings, by code.
 Table check_list();
 
+// What cgw assumes where the documents leave a point open, and how to measure it.
+Table assumption_list();
+
 // What a running device answers with: error numbers of both devices and the SDO abort codes. With `device`,
 // the errors of that device only; abort codes are the gateway's.
 Table code_list(const parameter::Catalogue& catalogue, std::optional<parameter::Device> device);

@@ -258,10 +258,28 @@ std::string errors_page(const Catalogue& catalogue) {
     return with_ruling_links(page);
 }
 
+// --- assumptions ---
+
+std::string assumptions_page(const Catalogue&) {
+    std::string page = head("Assumptions to check on a device", "lib/explain/assumptions.cpp");
+    page +=
+        "The documents leave points open that cgw has to decide. Each row is our best reading and may be "
+        "wrong on a\n"
+        "real device. The ruling behind a row says what the documents print, why that does not settle it, "
+        "and "
+        "how to\n"
+        "measure it. If you measure one, please report the result, whichever way it came out.\n\n"
+        "Before an engine depends on one of them, check it on your devices.\n\n"
+        "\"Lives in\" is the room of `lib/` or the directory in which one change corrects the "
+        "assumption.\n\n";
+    return page + with_ruling_links(render_markdown(assumption_list(), heading_of_group));
+}
+
 constexpr std::array pages{
     Page{"parameters.md", parameters_page},
     Page{"checks.md", checks_page},
     Page{"errors.md", errors_page},
+    Page{"assumptions.md", assumptions_page},
 };
 
 }  // namespace

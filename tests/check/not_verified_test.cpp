@@ -35,6 +35,21 @@ TEST(NotVerified, are_other_nodes_beyond_what_the_file_lists) {
               "other nodes: identifiers beyond the default ones of 2, 3");
 }
 
+TEST(NotVerified, are_nodes_in_the_same_order_however_they_are_listed) {
+    PlantBuilder plant;
+    EXPECT_EQ(open_questions(plant.minimal().network_node(11).network_node(2)),
+              "other nodes: identifiers beyond the default ones of 2, 11");
+}
+
+TEST(NotVerified, is_the_scaling_of_a_sent_word_without_its_reference_values) {
+    PlantBuilder plant;
+    plant.minimal().governor_list(16400, {2905, 2908}).governor(16460, 100).network_node(2);
+    const std::string rest = "other nodes: identifiers beyond the default ones of 2";
+    EXPECT_EQ(open_questions(plant), "scaling of 2905: 980, 981 are not set\n" + rest);
+    EXPECT_EQ(open_questions(plant.governor(980, 0)), "scaling of 2905: 981 is not set\n" + rest);
+    EXPECT_EQ(open_questions(plant.governor(981, 10)), rest);
+}
+
 TEST(NotVerified, is_a_bit_rate_whose_clock_is_not_stated) {
     PlantBuilder plant;
     plant.minimal().governor(4416, 1).gateway(4416, 1).gateway(4426, 1).network_node(2);

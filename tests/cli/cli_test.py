@@ -198,6 +198,7 @@ class Check(Verb):
         for name in ("monitoring-early", "time-quantised"):
             self.assertEqual(self.names(MANUAL, "-W", f"no-{name}")[1], [f for f in everything if f[1] != name])
             self.assertEqual(self.names(MANUAL, "-W", f"no-{name}", "-W", name)[1], everything)
+        self.assertEqual(self.names(MANUAL, "-W", "no-E0301")[1], self.names(MANUAL, "-W", "no-monitoring-early")[1])
             self.assertEqual(self.names(MANUAL, "-W", name, "-W", f"no-{name}")[1],
                              [f for f in everything if f[1] != name])
 
@@ -418,6 +419,7 @@ class Usage(Verb):
         self.assert_usage("--color", "check", "--color", "sometimes", GENSET)
         self.assert_usage("did you mean 'node-id-duplicate'?", "check", "-W", "no-node-id-duplicat", GENSET)
         self.assert_usage("cannot be hidden", "check", "-W", "no-node-id-duplicate", GENSET)
+        self.assert_usage("'E0203' is an error and cannot be hidden", "check", "-W", "no-E0203", GENSET)
         self.assert_usage("did you mean 'pdo-table'?", "emit", "pdo-tabel", GENSET)
         self.assert_usage("the formats of pdo-table are", "emit", "pdo-table", GENSET, "--format", "xml")
         self.assert_usage("power of two", "emit", "image-source", GENSET, "--align", "3")

@@ -247,6 +247,65 @@ TEST_F(Explain, words_that_are_no_bits_are_decoded) {
     EXPECT_EQ(field("1016h:1=0", "partner"), "nobody is monitored");
 }
 
+TEST_F(Explain, numbers_are_not_taken_for_bits) {
+    EXPECT_EQ(field("1017h=800", "time"), "800 ms, effective");
+    EXPECT_EQ(field("1017h=0", "time"), "0: none");
+    EXPECT_EQ(field("1800h:5=100", "time"), "100 ms, effective");
+    EXPECT_EQ(field("1018h:3=104", "number"), "104 (68h)");
+    EXPECT_EQ(field("1018h:4=0x09170005", "number"), "3844 is 2327, 3845 is 5");
+    EXPECT_EQ(field("1200h:1=0x601", "identifier"), "601h (1537)");
+    EXPECT_EQ(field("1800h:2=254", "number"), "254");
+    EXPECT_EQ(field("1800h:2=1", "number"), "1, which the gateway never has");
+    EXPECT_TRUE(field("2001h:1=100", "word").starts_with("100; what it means depends on the configuration"));
+    EXPECT_TRUE(field("2002h:1=0xFFFF", "word").starts_with("-1; "));
+    for (const char* question : {"1017h=800", "1018h:3=104", "1800h:5=100", "1200h:1=0x601", "2001h:1=100"}) {
+        EXPECT_EQ(cgw::explain::render_text(std::vector{ask(question)}).find("no meaning"), std::string::npos)
+            << question;
+    }
+}
+
+TEST_F(Explain, a_time_says_what_the_device_makes_of_it) {  // D8, D9
+    EXPECT_EQ(field("16460=100", "effective"), "93.75 ms: 6 main cycles of 15.625 ms, the default");
+    EXPECT_EQ(field("16460=100", "monitoring"), "-");
+    EXPECT_EQ(field("16480=100", "monitoring"),
+              "a sender that keeps to 100 ms is missed after 93.75 ms already (D9) / "
+              "110 ms is the next time that works: 7 main cycles, 109.375 ms");
+    EXPECT_EQ(field("430=100", "effective"), "96 ms: 6 main cycles of 16 ms");
+    EXPECT_EQ(field("430=100", "monitoring"),
+              "a sender that keeps to 100 ms is missed after 96 ms already (D9) / "
+              "112 ms is the next time that works: 7 main cycles, 112 ms");
+    EXPECT_EQ(field("430=112", "monitoring"), "-");
+    EXPECT_EQ(field("16480=3990", "monitoring"),
+              "a sender that keeps to 3990 ms is missed after 3984.375 ms already (D9) / "
+              "no longer time is possible: let the sender send more often");
+    EXPECT_EQ(field("16460=5000", "effective"),
+              "none: the device counts at most 255 main cycles of 15.625 ms");
+    EXPECT_EQ(field("429=0", "effective"), "-");
+}
+
+TEST_F(Explain, every_settable_parameter_of_the_gateway_feeds_something) {
+    for (const cgw::parameter::Row& row : cgw::catalogue::shipped_rows()) {
+        if (row.device == cgw::parameter::Device::gateway && row.settable()) {
+            EXPECT_FALSE(row.used.empty()) << row.number;
+        }
+    }
+    EXPECT_EQ(field("426", "feeds"), "no object; the bit rate of CAN2 while 4426 is 0, Baudrate of the DCF");
+}
+
+TEST_F(Explain, parameters_that_both_devices_hold_name_each_other) {
+    EXPECT_EQ(field("402", "partner"), "governor 401 CanMyNodeNumber: they must agree");
+    EXPECT_EQ(field("401", "partner", 0), "gateway 402 CanDCNodeNumber: they must agree");
+    EXPECT_EQ(field("401", "partner", 1), "governor 403 CanCMNodeNumber: they must agree");
+    EXPECT_EQ(field("416", "partner", 1), "governor 416 CanBaudrate: one bus, one bit rate");
+    EXPECT_EQ(field("400", "partner", 1), "governor 400 CanStartTimeOutDelay: set both alike");
+    EXPECT_EQ(field("427", "partner"), "-");
+}
+
+TEST_F(Explain, a_parameter_names_the_pages_of_its_manual) {
+    EXPECT_EQ(field("400", "pages", 1), "27, 29 of GWM");
+    EXPECT_EQ(field("1800", "pages"), "-");
+}
+
 TEST_F(Explain, values_that_cannot_be_are_refused) {
     EXPECT_EQ(complaint("2000h=3"), "2000h has several entries | say which: 2000h:1=3");
     EXPECT_EQ(complaint("2005h=0x10000"), "10000h does not fit 2005h, which has 16 bits");

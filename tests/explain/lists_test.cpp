@@ -46,7 +46,7 @@ class ExplainLists : public testing::Test {
 TEST_F(ExplainLists, every_row_has_a_cell_for_every_column) {
     for (const Table& table : {cgw::explain::parameter_list(catalogue, {}, true),
                                cgw::explain::parameter_list(catalogue, {}, false), cgw::explain::check_list(),
-                               cgw::explain::code_list(catalogue, {})}) {
+                               cgw::explain::code_list(catalogue, {}), cgw::explain::assumption_list()}) {
         EXPECT_FALSE(table.rows.empty()) << table.name;
         for (const auto& one : table.rows) {
             EXPECT_EQ(one.size(), table.columns.size()) << table.name;

@@ -136,6 +136,7 @@ class PlantBuilder {
         limit(add(governor, 416, "CanBaudrate"), 125, 1000, "kbit/s");
         add_range(governor, 810, 849, "");
         add_range(governor, 900, 929, "");
+        add_range(governor, 980, 981, "OilPressureEnd");
         limit(add(governor, 4406, "CanCommCMOn"), 0, 1);
         add(governor, 4416, "CanSegmentOrBaudrate");
         add_range(governor, 4810, 4849, "");
@@ -157,6 +158,8 @@ class PlantBuilder {
         add_measurement(2502, 8, true, "Trim");
         add_measurement(2503, 0, false, "Unmeasured");
         add_measurement(2905, 16, false, "OilPressure");
+        rows_.back().scaling = parameter::Scaling{
+            .internal_maximum = 65535, .external_minimum_parameter = 980, .external_maximum_parameter = 981};
         add_measurement(2908, 16, false, "ChargeAirTemp");
         add_measurement(2917, 16, false, "CurrentLoad");
         add_measurement(3070, 1, false, "ErrCanBus");
