@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <filesystem>
+#include <string_view>
+
 #include "base/bytes.hpp"
 #include "base/files.hpp"
 #include "base/utf8.hpp"
@@ -18,6 +21,34 @@ void refuse_input_as_output(const std::string& output, const std::vector<std::st
     if (const std::string why = driver::clash({output}, inputs); !why.empty()) {
         throw UsageError(why);
     }
+}
+
+void refuse_existing_output(const Arguments& arguments, const std::string& output) {
+    std::error_code ignored;
+    if (output != "-" && !arguments.given("--force") && std::filesystem::is_regular_file(output, ignored)) {
+        throw UsageError(fmt::format("{} exists; --force overwrites it", output));
+    }
+}
+
+std::string schema_line(const std::string& output) {
+    namespace fs = std::filesystem;
+    std::error_code failed;
+    const fs::path place = output == "-" ? fs::path() : fs::absolute(output, failed).lexically_normal();
+    std::string upwards;
+    for (fs::path directory = place.parent_path(); !directory.empty(); directory = directory.parent_path()) {
+        for (const std::string_view name :
+             {"schemas/parameter-file.schema.json", "parameter-file.schema.json"}) {
+            if (fs::is_regular_file(directory / name, failed)) {
+                return fmt::format("#:schema {}{}\n", upwards, name);
+            }
+        }
+        if (directory == directory.root_path()) {
+            break;
+        }
+        upwards += "../";
+    }
+    return "# Editors complete and explain parameters once the first line says where the\n"
+           "# output of cgw schema lies: #:schema parameter-file.schema.json\n";
 }
 
 int write_text(const std::string& output, const std::string& text) {

@@ -50,7 +50,7 @@ int run_import_table(const Arguments& arguments) {
     if (!tables.valid()) {
         return tables.unreadable ? exit_environment : exit_findings;
     }
-    const std::string text = driver::text_of_tables(tables, paths, title, catalogue);
+    const std::string text = schema_line(output) + driver::text_of_tables(tables, paths, title, catalogue);
     if (const int written = write_text(output, text); written != exit_fine) {
         return written;
     }

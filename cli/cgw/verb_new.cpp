@@ -1,7 +1,3 @@
-#include <fmt/format.h>
-
-#include <filesystem>
-
 #include "authoring/new_file.hpp"
 #include "catalogue/catalogue.hpp"
 #include "cli/cgw/output_file.hpp"
@@ -13,18 +9,15 @@ namespace {
 constexpr Option new_options[] = {
     text_output_option,
     title_option,
-    {.names = "--force", .summary = "overwrite a file that exists"},
+    force_option,
 };
 
 int run_new(const Arguments& arguments) {
     const std::string output = arguments.value("--output");
     const std::string title = title_of(arguments);
-    std::error_code ignored;
-    if (output != "-" && !arguments.given("--force") && std::filesystem::is_regular_file(output, ignored)) {
-        throw UsageError(fmt::format("{} exists; --force overwrites it", output));
-    }
+    refuse_existing_output(arguments, output);
     const parameter::Catalogue catalogue(catalogue::shipped_rows());
-    return write_text(output, authoring::new_file_text(title, catalogue));
+    return write_text(output, schema_line(output) + authoring::new_file_text(title, catalogue));
 }
 
 }  // namespace
