@@ -62,7 +62,7 @@ std::string verb_help(const Verb& verb) {
     std::string text =
         "Usage: " + wrapped(synopsis(verb, hard_blank), 7, 11) + "\n" + wrapped(verb.summary, 0, 0);
     if (!verb.details.empty()) {
-        text += fmt::format("\n{}", verb.details);
+        text += fmt::format("\n{}{}", verb.details, verb.details.ends_with('\n') ? "" : "\n");
     }
     if (const std::string arguments = option_list(verb, true); !arguments.empty()) {
         text += "\nArguments:\n" + arguments;

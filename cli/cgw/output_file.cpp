@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <filesystem>
+#include <string_view>
 
 #include "base/bytes.hpp"
 #include "base/files.hpp"
@@ -22,11 +23,32 @@ void refuse_input_as_output(const std::string& output, const std::vector<std::st
     }
 }
 
-void refuse_existing(const Arguments& arguments, const std::string& output) {
+void refuse_existing_output(const Arguments& arguments, const std::string& output) {
     std::error_code ignored;
     if (output != "-" && !arguments.given("--force") && std::filesystem::is_regular_file(output, ignored)) {
         throw UsageError(fmt::format("{} exists; --force overwrites it", output));
     }
+}
+
+std::string schema_line(const std::string& output) {
+    namespace fs = std::filesystem;
+    std::error_code failed;
+    const fs::path place = output == "-" ? fs::path() : fs::absolute(output, failed).lexically_normal();
+    std::string upwards;
+    for (fs::path directory = place.parent_path(); !directory.empty(); directory = directory.parent_path()) {
+        for (const std::string_view name :
+             {"schemas/parameter-file.schema.json", "parameter-file.schema.json"}) {
+            if (fs::is_regular_file(directory / name, failed)) {
+                return fmt::format("#:schema {}{}\n", upwards, name);
+            }
+        }
+        if (directory == directory.root_path()) {
+            break;
+        }
+        upwards += "../";
+    }
+    return "# Editors complete and explain parameters once the first line says where the\n"
+           "# output of cgw schema lies: #:schema parameter-file.schema.json\n";
 }
 
 int write_text(const std::string& output, const std::string& text) {

@@ -8,6 +8,7 @@
 #include "cli/cgw/terminal.hpp"
 #include "cli/cgw/verbs.hpp"
 #include "driver/check_file.hpp"
+#include "facts/identifiers.hpp"
 
 namespace cgw::cli {
 namespace {
@@ -18,7 +19,11 @@ constexpr Option clone_options[] = {
     title_option,
     {.names = "--keep-identifiers",
      .summary = "keep the identifiers of TPDO5..16: the copy is for another CANopen network"},
+    {.names = "--identifiers-from",
+     .value = "ID",
+     .summary = "give active TPDOs whose identifier is not base + node id new ones from here, 0x680..0x6DF"},
     text_output_option,
+    force_option,
     color_option,
 };
 
@@ -37,12 +42,29 @@ std::uint8_t node_id_of(const Arguments& arguments) {
     return static_cast<std::uint8_t>(*number);
 }
 
+std::uint16_t first_identifier_of(const Arguments& arguments) {
+    const std::string text = arguments.value("--identifiers-from");
+    const auto number = base::parse_integer(text);
+    if (!number || *number < facts::first_free_identifier || *number > facts::last_free_identifier) {
+        throw UsageError(fmt::format("--identifiers-from {}: CiA 301 leaves 0x{:X} to 0x{:X} free", text,
+                                     facts::first_free_identifier, facts::last_free_identifier));
+    }
+    if (arguments.given("--keep-identifiers")) {
+        throw UsageError(
+            "--identifiers-from gives new identifiers, --keep-identifiers keeps them: one of both");
+    }
+    return static_cast<std::uint16_t>(*number);
+}
+
 authoring::CloneRequest request_of(const Arguments& arguments) {
     authoring::CloneRequest request;
     request.node_id = node_id_of(arguments);
     request.keep_identifiers = arguments.given("--keep-identifiers");
     if (arguments.given("--title")) {
         request.title = title_of(arguments);
+    }
+    if (arguments.given("--identifiers-from")) {
+        request.identifiers_from = first_identifier_of(arguments);
     }
     return request;
 }
@@ -54,6 +76,7 @@ int run_clone(const Arguments& arguments) {
     const bool color = use_color(arguments, stderr);
     driver::CheckedFile original = driver::check_file(path);
     refuse_input_as_output(output, original.dependencies);
+    refuse_existing_output(arguments, output);
     if (!original.valid()) {
         report_findings(original, color);
         return exit_code_of(original);
@@ -76,6 +99,9 @@ int run_clone(const Arguments& arguments) {
         report_findings(copy, color);
         print_error("the copy would not be valid and is not written");
         return exit_code_of(copy);
+    }
+    if (!request.title && !original.settings.title.empty()) {
+        print_error("note: original and copy have the same title; --title gives the copy its own");
     }
     return write_text(output, *text);
 }

@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <set>
+
 #include "cli/cgw/exit_codes.hpp"
 #include "cli/cgw/shared_options.hpp"
 #include "cli/cgw/terminal.hpp"
@@ -57,7 +59,7 @@ constexpr Option diff_options[] = {
 constexpr std::string_view diff_details =
     "Exit code 0 when nothing differs, 1 when something does or when a file has\n"
     "errors, 3 when one cannot be read. Parameters that tables do not print are taken\n"
-    "as in A, and named where they are not 0.\n";
+    "as in A; their numbers are named, and they differ where A has another value than 0.\n";
 
 // Exit code; findings of a file with errors go to stderr.
 int report_invalid(const driver::CheckedFile& file, bool color) {
@@ -97,9 +99,24 @@ int diff_files(const Arguments& arguments, const driver::CheckedFile& a, int exi
             return file->unreadable ? exit_code : refuse_incomplete(*file, exit_code);
         }
     }
-    const compare::Comparison comparison =
-        compare::compare({a.settings, a.configuration}, {b.settings, b.configuration});
+    const compare::Comparison comparison = compare::compare({a.settings, a.configuration, *a.catalogue},
+                                                            {b.settings, b.configuration, *b.catalogue});
     return worse(exit_code, print_comparison(arguments, comparison, name_of(a), name_of(b)));
+}
+
+std::vector<compare::NumberRange> not_printed(const driver::ReadTables& tables,
+                                              const parameter::Catalogue& catalogue) {
+    std::vector<compare::NumberRange> all;
+    for (const parameter::Device device : {parameter::Device::governor, parameter::Device::gateway}) {
+        std::set<std::uint16_t> printed;
+        const bool governor = device == parameter::Device::governor;
+        for (const auto& [number, value] : (governor ? tables.governor : tables.gateway).values) {
+            printed.insert(number);
+        }
+        const auto ranges = compare::ranges_not_printed(catalogue, device, printed);
+        all.insert(all.end(), ranges.begin(), ranges.end());
+    }
+    return all;
 }
 
 int diff_tables(const Arguments& arguments, const driver::CheckedFile& a, int exit_code, bool color) {
@@ -113,9 +130,10 @@ int diff_tables(const Arguments& arguments, const driver::CheckedFile& a, int ex
         return a.unreadable ? exit_code : refuse_incomplete(a, exit_code);
     }
     driver::TableSide b = driver::side_of_tables(a, tables);
-    compare::Comparison comparison =
-        compare::compare({a.settings, a.configuration}, {b.settings, b.configuration});
+    compare::Comparison comparison = compare::compare({a.settings, a.configuration, *a.catalogue},
+                                                      {b.settings, b.configuration, *a.catalogue});
     comparison.not_in_table = std::move(b.absent);
+    comparison.not_printed = not_printed(tables, *a.catalogue);
     std::vector<std::string> names = {paths.governor};
     if (paths.gateway != paths.governor) {
         names.push_back(paths.gateway);

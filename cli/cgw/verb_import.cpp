@@ -54,7 +54,7 @@ int run_import_table(const Arguments& arguments) {
         throw UsageError("standard input (-) can be read only once");
     }
     refuse_input_as_output(output, {paths.governor, paths.gateway});
-    refuse_existing(arguments, output);
+    refuse_existing_output(arguments, output);
     const parameter::Catalogue catalogue(catalogue::shipped_rows());
     const driver::ReadTables tables = driver::read_tables(paths, catalogue);
     const bool color = use_color(arguments, stderr);
@@ -64,7 +64,7 @@ int run_import_table(const Arguments& arguments) {
     }
     note_absent(tables, paths.governor, Device::governor, catalogue);
     note_absent(tables, paths.gateway, Device::gateway, catalogue);
-    const std::string text = driver::text_of_tables(tables, paths, title, catalogue);
+    const std::string text = schema_line(output) + driver::text_of_tables(tables, paths, title, catalogue);
     if (const int written = write_text(output, text); written != exit_fine) {
         return written;
     }

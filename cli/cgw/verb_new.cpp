@@ -15,9 +15,9 @@ constexpr Option new_options[] = {
 int run_new(const Arguments& arguments) {
     const std::string output = arguments.value("--output");
     const std::string title = title_of(arguments);
-    refuse_existing(arguments, output);
+    refuse_existing_output(arguments, output);
     const parameter::Catalogue catalogue(catalogue::shipped_rows());
-    return write_text(output, authoring::new_file_text(title, catalogue));
+    return write_text(output, schema_line(output) + authoring::new_file_text(title, catalogue));
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 #include <vector>
 
 #include "authoring/toml_text.hpp"
@@ -100,31 +101,103 @@ void replace_title(Edits& edits, std::string_view text, const std::string& title
     }
 }
 
-void replace_identifiers(Edits& edits, const parameter::Settings& settings,
-                         const config::Configuration& configuration, std::uint32_t node_id,
-                         diagnostic::Findings& findings) {
-    constexpr int first_tpdo = 5;
+constexpr int first_tpdo = facts::predefined_pdos + 1;
+
+// One identifier of TPDO5..16 and what the copy makes of it.
+struct Identifier {
+    const Assignment* assignment = nullptr;
+    int tpdo = 0;
+    std::uint32_t original = 0;
+    bool follows_node = false;
+    bool active = false;
+};
+
+std::vector<Identifier> identifiers_of(const parameter::Settings& settings,
+                                       const config::Configuration& configuration) {
+    std::vector<Identifier> all;
     for (int tpdo = first_tpdo; tpdo <= config::tpdo_count; ++tpdo) {
         const auto number = static_cast<std::uint16_t>(gateway::tpdo_identifier + tpdo - first_tpdo);
         const Assignment* assignment = settings.gateway.find(number);
-        if (assignment == nullptr || assignment->value == 0) {
-            continue;
+        if (assignment != nullptr && assignment->value != 0) {
+            const std::uint32_t identifier = settings.gateway.integer(number);
+            const bool follows_node =
+                (identifier & node_bits) == configuration.node_id && (identifier & base_bits) != 0;
+            all.push_back({assignment, tpdo, identifier, follows_node, configuration.tpdo(tpdo).active});
         }
-        const std::uint32_t identifier = settings.gateway.integer(number);
-        const bool follows_node =
-            (identifier & node_bits) == configuration.node_id && (identifier & base_bits) != 0;
-        if (follows_node) {
-            replace_number(edits, *assignment, (identifier & base_bits) | node_id);
-        } else if (configuration.tpdo(tpdo).active) {
-            findings.report(
-                {&diagnostic::rules::clone_identifier,
-                 fmt::format("TPDO{} would be sent under {:03X}h by both gateways; {} is not of the "
-                             "form base + node id {}",
-                             tpdo, identifier, parameter::label(*assignment->row), configuration.node_id),
-                 assignment->where,
-                 {},
-                 "give the original an identifier that ends in its node id, or use "
-                 "--keep-identifiers for a copy on another network"});
+    }
+    return all;
+}
+
+// What PDOs of the original and, as far as they follow its node id, of the copy have.
+std::set<std::uint32_t> taken_identifiers(const std::vector<Identifier>& identifiers,
+                                          const config::Configuration& configuration, std::uint32_t node_id) {
+    std::set<std::uint32_t> taken;
+    for (const config::Pdo& pdo : configuration.pdos) {
+        taken.insert(pdo.cob_id);
+    }
+    for (const Identifier& identifier : identifiers) {
+        taken.insert(identifier.follows_node ? (identifier.original & base_bits) | node_id
+                                             : identifier.original);
+    }
+    return taken;
+}
+
+std::string free_help(std::set<std::uint32_t>& taken) {
+    std::string text;
+    for (std::uint32_t candidate = facts::first_free_identifier; candidate <= facts::last_free_identifier;
+         ++candidate) {
+        if (taken.insert(candidate).second) {
+            text = fmt::format("0x{0:X} is free for the copy: --identifiers-from 0x{0:X}; ", candidate);
+            break;
+        }
+    }
+    return text + "--keep-identifiers is for a copy on another network";
+}
+
+void report_shared(const Identifier& identifier, const config::Configuration& configuration,
+                   std::set<std::uint32_t>& taken, diagnostic::Findings& findings) {
+    findings.report({&diagnostic::rules::clone_identifier,
+                     fmt::format("TPDO{} would be sent under {:03X}h by both gateways; {} is not of the "
+                                 "form base + node id {}",
+                                 identifier.tpdo, identifier.original,
+                                 parameter::label(*identifier.assignment->row), configuration.node_id),
+                     identifier.assignment->where,
+                     {},
+                     free_help(taken)});
+}
+
+// Why `value` is none for the copy, or "".
+std::string why_not(std::uint32_t value, const std::set<std::uint32_t>& taken) {
+    if (value < facts::first_free_identifier || value > facts::last_free_identifier) {
+        return fmt::format("it is outside {:03X}h to {:03X}h, which CiA 301 leaves free",
+                           facts::first_free_identifier, facts::last_free_identifier);
+    }
+    return taken.contains(value) ? "a PDO of the original or of the copy has it" : "";
+}
+
+void replace_identifiers(Edits& edits, const parameter::Settings& settings,
+                         const config::Configuration& configuration, const CloneRequest& request,
+                         diagnostic::Findings& findings) {
+    const std::vector<Identifier> identifiers = identifiers_of(settings, configuration);
+    std::set<std::uint32_t> taken = taken_identifiers(identifiers, configuration, request.node_id);
+    std::uint32_t next = request.identifiers_from.value_or(0);
+    for (const Identifier& identifier : identifiers) {
+        if (identifier.follows_node) {
+            replace_number(edits, *identifier.assignment,
+                           (identifier.original & base_bits) | request.node_id);
+        } else if (identifier.active && !request.identifiers_from) {
+            report_shared(identifier, configuration, taken, findings);
+        } else if (identifier.active) {
+            const std::uint32_t value = next++;
+            if (const std::string why = why_not(value, taken); !why.empty()) {
+                findings.report(
+                    {&diagnostic::rules::clone_identifier,
+                     fmt::format("TPDO{} of the copy cannot have {:03X}h: {}", identifier.tpdo, value, why),
+                     identifier.assignment->where,
+                     {},
+                     free_help(taken)});
+            }
+            replace_number(edits, *identifier.assignment, value);
         }
     }
 }
@@ -142,7 +215,7 @@ std::optional<std::string> clone_text(std::string_view text, const parameter::Se
         replace_title(edits, text, *request.title);
     }
     if (!request.keep_identifiers) {
-        replace_identifiers(edits, settings, configuration, request.node_id, findings);
+        replace_identifiers(edits, settings, configuration, request, findings);
     }
     if (findings.has_errors()) {
         return std::nullopt;

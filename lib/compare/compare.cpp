@@ -97,12 +97,36 @@ void note(Differences& differences, std::string_view kind, std::string subject, 
     }
 }
 
+std::vector<NumberRange> ranges_not_printed(const parameter::Catalogue& catalogue, parameter::Device device,
+                                            const std::set<std::uint16_t>& printed) {
+    std::vector<NumberRange> ranges;
+    bool extends = false;
+    for (const parameter::Row* row : catalogue.rows(device)) {
+        if (!row->settable()) {
+            continue;
+        }
+        if (printed.contains(row->number)) {
+            extends = false;
+        } else if (extends) {
+            ranges.back().last = row->number;
+            ++ranges.back().count;
+        } else {
+            ranges.push_back({device, row->number, row->number, 1});
+            extends = true;
+        }
+    }
+    return ranges;
+}
+
 Comparison compare(const Side& a, const Side& b) {
     Comparison result;
     compare_sets(a.settings.governor, b.settings.governor, result.parameters);
     compare_sets(a.settings.gateway, b.settings.gateway, result.parameters);
+    compare_communication(a.settings, b.settings, result.consequences);
     compare_buses(a.configuration, b.configuration, result.consequences);
     compare_pdos(a.configuration, b.configuration, result.consequences);
+    compare_scalings(a, b, result.consequences);
+    compare_objects(a.configuration, b.configuration, result.consequences);
     compare_inputs(a.configuration, b.configuration, result.consequences);
     compare_models(a.settings, b.settings, result.otherwise);
     note(result.otherwise, "network", "listed nodes", nodes_text(a.settings), nodes_text(b.settings));

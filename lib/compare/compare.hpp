@@ -1,19 +1,23 @@
 // What tells two configurations apart: parameters, and what the devices make of them.
 #pragma once
 
+#include <cstdint>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "config/configuration.hpp"
+#include "parameter/catalogue.hpp"
 #include "parameter/settings.hpp"
 
 namespace cgw::compare {
 
-// The settings and what config::resolve() made of them; both must outlive the comparison.
+// The settings, what config::resolve() made of them, and the rows of the plant; all outlive the comparison.
 struct Side {
     const parameter::Settings& settings;
     const config::Configuration& configuration;
+    const parameter::Catalogue& catalogue;
 };
 
 struct ParameterDifference {
@@ -31,10 +35,19 @@ struct Difference {
     std::string b;
 };
 
+// Neighbours in the catalogue, though not always in number.
+struct NumberRange {
+    parameter::Device device = parameter::Device::governor;
+    std::uint16_t first = 0;
+    std::uint16_t last = 0;
+    std::size_t count = 0;
+};
+
 struct Comparison {
     std::vector<ParameterDifference> parameters;    // by device and number
     std::vector<ParameterDifference> not_in_table;  // set in A, absent from the tables that are side B
-    std::vector<Difference> consequences;           // buses, then PDOs, then switches and sensors
+    std::vector<NumberRange> not_printed;           // settable, absent from the tables; whatever A has
+    std::vector<Difference> consequences;           // buses, PDOs, words, switches and sensors
     std::vector<Difference> otherwise;              // title, identity, declarations, listed nodes
 
     bool same() const {
@@ -43,6 +56,10 @@ struct Comparison {
 };
 
 Comparison compare(const Side& a, const Side& b);
+
+// The settable parameters of the device that are not among `printed`, ascending.
+std::vector<NumberRange> ranges_not_printed(const parameter::Catalogue& catalogue, parameter::Device device,
+                                            const std::set<std::uint16_t>& printed);
 
 // How the two sides are called in texts.
 struct SideName {

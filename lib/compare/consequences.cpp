@@ -5,6 +5,7 @@
 #include <map>
 
 #include "base/numbers.hpp"
+#include "config/numbers.hpp"
 
 namespace cgw::compare {
 namespace {
@@ -26,6 +27,16 @@ std::string monitoring_text(const Configuration& configuration) {
     return is_on ? fmt::format("node {} within {}", configuration.partner_node_id,
                                time_text(configuration.heartbeat_consumer))
                  : "off";
+}
+
+constexpr std::pair<std::uint32_t, const char*> node_identifiers[] = {
+    {facts::cob::sdo_request, "SDO requests to the gateway"},
+    {facts::cob::sdo_answer, "SDO answers of the gateway"},
+    {facts::cob::heartbeat, "boot-up and heartbeat identifier"},
+};
+
+std::string identifier_text(std::uint32_t base, std::uint8_t node_id) {
+    return node_id == 0 ? "none" : fmt::format("{:03X}h", base + node_id);
 }
 
 using Inputs = std::map<std::uint16_t, std::pair<std::string, std::string>>;  // by number: name and meaning
@@ -70,6 +81,16 @@ std::string time_text(const config::CyclicTime& time) {
                                   : base::to_text(static_cast<double>(time.effective_us) / 1000) + " ms";
 }
 
+void compare_communication(const parameter::Settings& a, const parameter::Settings& b,
+                           Differences& differences) {
+    const auto meaning = [](const parameter::Settings& settings) {
+        const bool is_on = settings.governor.value(config::governor::gateway_communication) == 1 &&
+                           settings.gateway.value(config::gateway::governor_communication) == 1;
+        return is_on ? "on" : "off: governor and gateway exchange nothing";
+    };
+    note(differences, "communication", "HZM communication", meaning(a), meaning(b));
+}
+
 void compare_buses(const Configuration& a, const Configuration& b, Differences& differences) {
     const auto number = [&](std::string_view kind, const char* subject, std::uint8_t of_a,
                             std::uint8_t of_b) {
@@ -85,6 +106,10 @@ void compare_buses(const Configuration& a, const Configuration& b, Differences& 
          bit_rate_text(b.governor_can));
     note(differences, "bit-rate", "HZM bit rate, gateway", bit_rate_text(a.can1), bit_rate_text(b.can1));
     number("node-id", "CANopen node id", a.node_id, b.node_id);
+    for (const auto& [base, subject] : node_identifiers) {
+        note(differences, "node-identifier", subject, identifier_text(base, a.node_id),
+             identifier_text(base, b.node_id));
+    }
     note(differences, "bit-rate", "CANopen bit rate", bit_rate_text(a.can2), bit_rate_text(b.can2));
     note(differences, "heartbeat", "heartbeat sent", time_text(a.heartbeat_producer),
          time_text(b.heartbeat_producer));

@@ -51,6 +51,71 @@ void parameters_section(std::string& text, std::string_view heading,
     }
 }
 
+// SDO readers look at single objects: a few are shown, whoever needs all takes the JSON.
+constexpr std::size_t objects_shown = 4;
+
+void consequences_section(std::string& text, const std::vector<Difference>& consequences) {
+    std::size_t objects = 0;
+    text += consequences.empty() ? "" : "\nWhat follows\n";
+    for (const Difference& difference : consequences) {
+        objects += difference.kind == "object" ? 1U : 0U;
+        if (difference.kind != "object" || objects <= objects_shown) {
+            text += line(difference.subject, difference.a, difference.b);
+        } else if (&difference == &consequences.back() || (&difference)[1].kind != "object") {
+            text += fmt::format("  and {} more sub-indexes of 2001h and 2002h\n", objects - objects_shown);
+        }
+    }
+}
+
+// "governor 410..414, 1800", in lines that fit.
+std::string ranges_text(parameter::Device device, const std::vector<NumberRange>& ranges) {
+    std::string text;
+    std::string current = fmt::format("  {:<8}", parameter::to_text(device));
+    bool any = false;
+    for (const NumberRange& range : ranges) {
+        if (range.device != device) {
+            continue;
+        }
+        const std::string numbers = range.first == range.last
+                                        ? fmt::format("{}", range.first)
+                                        : fmt::format("{}..{}", range.first, range.last);
+        current += any ? "," : "";
+        any = true;
+        if (current.size() + 2 + numbers.size() > line_width) {
+            text += current + "\n";
+            current = std::string(10, ' ');
+        }
+        current += " " + numbers;
+    }
+    return any ? text + current + "\n" : "";
+}
+
+void not_printed_section(std::string& text, const std::vector<NumberRange>& ranges) {
+    std::size_t count = 0;
+    for (const NumberRange& range : ranges) {
+        count += range.count;
+    }
+    if (count != 0) {
+        text +=
+            fmt::format("\nNot in the tables, taken as in A: {} parameter{}\n", count, count == 1 ? "" : "s");
+        text += ranges_text(parameter::Device::governor, ranges);
+        text += ranges_text(parameter::Device::gateway, ranges);
+    }
+}
+
+void ranges_json(base::JsonWriter& json, const std::vector<NumberRange>& ranges) {
+    json.key("not_printed").begin_array();
+    for (const NumberRange& range : ranges) {
+        json.begin_object();
+        json.key("device").string(parameter::to_text(range.device));
+        json.key("first").integer(range.first);
+        json.key("last").integer(range.last);
+        json.key("count").integer(static_cast<std::int64_t>(range.count));
+        json.end_object();
+    }
+    json.end_array();
+}
+
 void differences_section(std::string& text, std::string_view heading,
                          const std::vector<Difference>& differences) {
     if (differences.empty()) {
@@ -115,16 +180,17 @@ void differences_json(base::JsonWriter& json, std::string_view key,
 
 std::string render_text(const Comparison& comparison, const SideName& a, const SideName& b) {
     std::string text = side_text('A', a) + side_text('B', b);
+    const bool all = comparison.not_printed.empty() && comparison.not_in_table.empty();
     if (comparison.same()) {
-        return text + "\nNothing differs.\n";
-    }
-    if (comparison.parameters.empty()) {
-        text += "\nAll parameters are the same.\n";
+        text += all ? "\nNothing differs.\n" : "\nAll parameters that the tables print are the same.\n";
+    } else if (comparison.parameters.empty()) {
+        text += fmt::format("\nAll parameters{} are the same.\n", all ? "" : " that the tables print");
     }
     parameters_section(text, "Parameters", comparison.parameters, true);
     parameters_section(text, "Set in A, not in the tables", comparison.not_in_table, false);
-    differences_section(text, "What follows", comparison.consequences);
+    consequences_section(text, comparison.consequences);
     differences_section(text, "Otherwise", comparison.otherwise);
+    not_printed_section(text, comparison.not_printed);
     return text;
 }
 
@@ -137,6 +203,7 @@ std::string render_json(const Comparison& comparison, const SideName& a, const S
     side_json(json, "b", b);
     parameters_json(json, "parameters", comparison.parameters, true);
     parameters_json(json, "not_in_table", comparison.not_in_table, false);
+    ranges_json(json, comparison.not_printed);
     differences_json(json, "consequences", comparison.consequences);
     differences_json(json, "otherwise", comparison.otherwise);
     json.end_object();

@@ -157,4 +157,7 @@ Configuration resolve(const parameter::Settings& settings, const parameter::Cata
 // Row carried by a TPDO word: known to the catalogue, of known width, not a bit (D13).
 bool transmittable(const parameter::Row* row);
 
+// Row whose scaling a carried word has: its own, or for a sensor 9nn without one that of 29nn (D38).
+const parameter::Row& scaling_row(const parameter::Row& row, const parameter::Catalogue& catalogue);
+
 }  // namespace cgw::config

@@ -140,6 +140,16 @@ void resolve_analogue(const parameter::Settings& settings, const parameter::Cata
 
 }  // namespace
 
+const parameter::Row& scaling_row(const parameter::Row& row, const parameter::Catalogue& catalogue) {
+    const bool is_sensor = row.number >= governor::first_sensor && row.number <= governor::last_sensor;
+    const parameter::Row* const measurement =
+        is_sensor && !row.scaling
+            ? catalogue.find(parameter::Device::governor,
+                             static_cast<std::uint16_t>(row.number + facts::sensor_to_measurement))
+            : nullptr;
+    return measurement != nullptr ? *measurement : row;
+}
+
 bool transmittable(const parameter::Row* row) {
     return row != nullptr && (row->width == 8 || row->width == 16);
 }

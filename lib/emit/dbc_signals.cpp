@@ -185,15 +185,8 @@ dbc::Signal measurement_signal(const Plant& plant, const config::MappedWord& wor
     return signal;
 }
 
-// A sensor without scaling of its own has that of the measurement that shows it (D38).
-const parameter::Row& scaled_row(const Plant& plant, const parameter::Row& sensor) {
-    const parameter::Row* const measurement = plant.catalogue.find(
-        Device::governor, static_cast<std::uint16_t>(sensor.number + facts::sensor_to_measurement));
-    return sensor.scaling || measurement == nullptr ? sensor : *measurement;
-}
-
 dbc::Signal sensor_signal(const Plant& plant, const config::MappedWord& word, unsigned first_bit) {
-    const parameter::Row& scaled = scaled_row(plant, *word.parameter);
+    const parameter::Row& scaled = config::scaling_row(*word.parameter, plant.catalogue);
     dbc::Signal signal;
     signal.name = sensor_name(*word.parameter);
     signal.start_bit = first_bit;

@@ -90,6 +90,27 @@ TEST(Clone, refuses_an_identifier_that_both_gateways_would_send) {
         "form base + node id 5\n");
 }
 
+TEST(Clone, gives_new_identifiers_to_active_tpdos_that_do_not_follow_the_node_id) {
+    const std::string three = "16404 = 2905\n16408 = 2907\n16412 = 2908\n16461 = [200, 200, 200]";
+    EXPECT_EQ(clone(file("format = 1", three, "427 = 5\n16404 = [0x6A0, 0x685, 0x6A1, 0x6A2]"),
+                    {.node_id = 6, .identifiers_from = 0x690}),
+              file("format = 1", three, "427 = 6\n16404 = [0x690, 0x686, 0x691, 0x6A2]"));
+}
+
+TEST(Clone, refuses_new_identifiers_that_are_taken_or_not_free) {
+    const std::string original = file("format = 1", tpdo5, "427 = 5\n16404 = [0x6A0, 0x685, 0x6DF]");
+    EXPECT_EQ(
+        clone(original, {.node_id = 6, .identifiers_from = 0x6A0}),
+        "E0508 16:10 TPDO5 of the copy cannot have 6A0h: a PDO of the original or of the copy has it\n");
+    EXPECT_EQ(
+        clone(original, {.node_id = 6, .identifiers_from = 0x686}),
+        "E0508 16:10 TPDO5 of the copy cannot have 686h: a PDO of the original or of the copy has it\n");
+    EXPECT_EQ(
+        clone(original, {.node_id = 6, .identifiers_from = 0x6E0}),
+        "E0508 16:10 TPDO5 of the copy cannot have 6E0h: it is outside 680h to 6DFh, which CiA 301 leaves "
+        "free\n");
+}
+
 TEST(Clone, keeps_all_identifiers_for_another_network) {
     EXPECT_EQ(clone(file("format = 1", tpdo5, "427 = 5\n16404 = [0x6A0, 0x685]"),
                     {.node_id = 6, .keep_identifiers = true}),

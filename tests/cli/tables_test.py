@@ -218,7 +218,28 @@ class Clone(Case):
         self.assertEqual((result.returncode, result.stdout), (1, b""))
         self.assertEqual(result.stderr.count(b"E0508 clone-identifier"), 2)
         self.assertEqual(self.listing(), [])
-        self.assertEqual(cgw("clone", GENSET, "--node-id", "13", "--keep-identifiers", "-o", copy).returncode, 0)
+        self.assertIn(b"0x682 is free", result.stderr)
+        self.assertIn(b"0x683 is free", result.stderr)
+        kept = cgw("clone", GENSET, "--node-id", "13", "--keep-identifiers", "-o", copy)
+        self.assertEqual(kept.returncode, 0)
+        self.assertEqual(kept.stderr,
+                         b"cgw: note: original and copy have the same title; --title gives the copy its own\n")
+
+    def test_new_identifiers_are_given_from_a_start(self):
+        copy = self.dir / "b.toml"
+        result = cgw("clone", GENSET, "--node-id", "13", "--title", "B", "--identifiers-from", "0x690", "-o", copy)
+        self.assertEqual((result.returncode, result.stderr), (0, b""))
+        self.assertIn("CanOpTPDO5-16ID = [0x690, 0x691]", copy.read_text())
+
+    def test_a_file_that_exists_is_overwritten_only_by_force(self):
+        copy = self.write("b.toml", "mine")
+        arguments = ("clone", MINIMAL, "--node-id", "9", "-o", copy)
+        refused = cgw(*arguments)
+        self.assertEqual((refused.returncode, refused.stdout), (2, b""))
+        self.assertIn(f"{copy} exists; --force overwrites it", refused.stderr.decode())
+        self.assertEqual(copy.read_text(), "mine")
+        self.assertEqual(cgw(*arguments, "--force").returncode, 0)
+        self.assertIn("427 = 9 ", copy.read_text())
 
     def test_a_copy_that_would_not_be_valid_is_refused(self):
         copy = self.dir / "b.toml"
@@ -238,10 +259,28 @@ class Clone(Case):
     def test_wrong_usage(self):
         for arguments in ([MINIMAL], [MINIMAL, "--node-id", "0"], [MINIMAL, "--node-id", "128"],
                           [MINIMAL, "--node-id", "x"], [MINIMAL, "--node-id", "1"],
-                          [MINIMAL, "--node-id", "9", "--title", "x" * 201]):
+                          [MINIMAL, "--node-id", "9", "--title", "x" * 201],
+                          [MINIMAL, "--node-id", "9", "--identifiers-from", "0x6E0"],
+                          [MINIMAL, "--node-id", "9", "--identifiers-from", "0x690", "--keep-identifiers"]):
             result = cgw("clone", *arguments)
             self.assertEqual((result.returncode, result.stdout), (2, b""), arguments)
             self.assertTrue(result.stderr.startswith(b"cgw: "), result.stderr)
+
+
+class SchemaLine(Case):
+    def test_the_first_line_names_the_schema_where_one_lies(self):
+        path = self.dir / "plants" / "a.toml"
+        path.parent.mkdir()
+        self.assertEqual(cgw("new", "-o", path).returncode, 0)
+        self.assertTrue(path.read_text().startswith("# Editors complete and explain parameters"))
+        self.write("parameter-file.schema.json", "{}")
+        self.assertEqual(cgw("new", "-o", path, "--force").returncode, 0)
+        self.assertEqual(path.read_text().splitlines()[0], "#:schema ../parameter-file.schema.json")
+        out = self.dir / "b.toml"
+        (self.dir / "schemas").mkdir()
+        (self.dir / "schemas" / "parameter-file.schema.json").write_text("{}")
+        cgw("import", "table", "--governor", self.governor_table(), "--gateway", GATEWAY_TABLE, "-o", out)
+        self.assertEqual(out.read_text().splitlines()[0], "#:schema schemas/parameter-file.schema.json")
 
 
 class EntrySheet(Case):

@@ -17,18 +17,19 @@ struct Plant {
     parameter::Settings settings;
     config::Configuration configuration;
 
-    Side side() const { return {settings, configuration}; }
+    Side side() const { return {settings, configuration, *catalogue}; }
 };
 
-Plant plant(const std::string& top, const std::string& governor, const std::string& gateway) {
+Plant plant(const std::string& top, const std::string& governor, const std::string& gateway,
+            const std::string& gateway_communication = "1") {
     Plant made;
     made.catalogue = std::make_unique<parameter::Catalogue>(catalogue::shipped_rows());
     diagnostic::Findings findings;
     const std::string text = fmt::format(
         "format = 1\n{}\n[governor]\n[governor.parameters]\n401 = 1\n403 = 1\n416 = 250\n4406 = "
         "1\n{}\n[gateway]\n"
-        "[gateway.parameters]\n401 = 1\n402 = 1\n416 = 250\n4400 = 1\n426 = 125\n{}\n",
-        top, governor, gateway);
+        "[gateway.parameters]\n401 = 1\n402 = 1\n416 = 250\n4400 = {}\n426 = 125\n{}\n",
+        top, governor, gateway_communication, gateway);
     const auto load = [](const std::string& name) -> base::Result<std::string> {
         return base::failure("cannot read " + name);
     };
@@ -67,7 +68,10 @@ TEST(Compare, says_which_words_of_a_pdo_moved) {
     EXPECT_EQ(consequences(base_governor, "16400 = [2000, 0, 2300, 2905]\n16460 = [125]\n"),
               "pdo-word | TPDO4 word 2 | 2031 SpeedSetp | 2300 ActPos, moved from word 3\n"
               "pdo-word | TPDO4 word 3 | 2300 ActPos | 2905 OilPressure, moved from word 4\n"
-              "pdo-word | TPDO4 word 4 | 2905 OilPressure | nothing\n");
+              "pdo-word | TPDO4 word 4 | 2905 OilPressure | nothing\n"
+              "object | 2001h:2 | 2031 SpeedSetp | 2300 ActPos\n"
+              "object | 2001h:3 | 2300 ActPos | 2905 OilPressure\n"
+              "object | 2001h:4 | 2905 OilPressure | nothing\n");
 }
 
 TEST(Compare, says_which_pdo_appears_or_disappears) {
@@ -86,7 +90,11 @@ TEST(Compare, compares_times_as_the_devices_run_them) {
 
 TEST(Compare, follows_the_node_id_into_the_identifiers) {
     EXPECT_EQ(consequences(base_governor, base_governor, "427 = 1", "427 = 2"),
-              "node-id | CANopen node id | 1 | 2\npdo-identifier | TPDO4 identifier | 481h | 482h\n");
+              "node-id | CANopen node id | 1 | 2\n"
+              "node-identifier | SDO requests to the gateway | 601h | 602h\n"
+              "node-identifier | SDO answers of the gateway | 581h | 582h\n"
+              "node-identifier | boot-up and heartbeat identifier | 701h | 702h\npdo-identifier | TPDO4 "
+              "identifier | 481h | 482h\n");
 }
 
 TEST(Compare, names_buses_and_heartbeats) {
@@ -140,7 +148,90 @@ TEST(Compare, prints_parameters_and_consequences_within_80_columns) {
               "\nWhat follows\n"
               "  TPDO4 cycle                          125 ms -> 500 ms\n"
               "  TPDO4 word 3\n      2300 ActPos\n   -> 2905 OilPressure, moved from word 4\n"
-              "  TPDO4 word 4\n      2905 OilPressure\n   -> 2300 ActPos, moved from word 3\n");
+              "  TPDO4 word 4\n      2905 OilPressure\n   -> 2300 ActPos, moved from word 3\n"
+              "  2001h:3                              2300 ActPos -> 2905 OilPressure\n"
+              "  2001h:4                              2905 OilPressure -> 2300 ActPos\n");
+}
+
+const std::string ambient = "16400 = [2000, 2906]\n16460 = [125]\n";
+
+TEST(Compare, says_what_a_reference_parameter_does_to_a_word) {
+    EXPECT_EQ(consequences(ambient + "984 = 500\n985 = 1200\n", ambient + "984 = 500\n985 = 2000\n"),
+              "scaling | TPDO4 word 2 2906 AmbientPressure | 500..1200 mbar | 500..2000 mbar\n");
+    EXPECT_EQ(consequences(ambient, ambient + "984 = 500\n985 = 2000\n"),
+              "scaling | TPDO4 word 2 2906 AmbientPressure | not known | 500..2000 mbar\n");
+}
+
+TEST(Compare, says_what_a_reference_parameter_does_to_a_sensor) {
+    const std::string sensor = "906 = 5\n4906 = 3\n984 = 500\n";
+    EXPECT_EQ(consequences(sensor + "985 = 1200\n", sensor + "985 = 2000\n"),
+              "scaling | RPDO3 word 1 906 AssignIn_AmbPress | 500..1200 mbar | 500..2000 mbar\n");
+}
+
+TEST(Compare, is_silent_about_the_scaling_of_words_that_nobody_carries) {
+    EXPECT_EQ(consequences("984 = 500\n985 = 1200\n", "984 = 500\n985 = 2000\n"), "");
+}
+
+// A declared measurement in TPDO4 word 1.
+std::string declared(const std::string& unit, bool is_signed, int internal, double external) {
+    return fmt::format(
+        "16400 = 2990\n16460 = 125\n[[governor.declare]]\nnumber = 2990\nname = \"Power\"\nkind = "
+        "\"measurement\"\nunit = \"{}\"\nwidth = 16\nsigned = {}\ninternal = [0, {}]\nexternal = [0.0, "
+        "{}]\n",
+        unit, is_signed, internal, external);
+}
+
+TEST(Compare, says_what_a_declaration_does_to_a_word) {
+    EXPECT_EQ(consequences(declared("kW", false, 1000, 12.5), declared("MW", false, 1000, 12.5)),
+              "scaling | TPDO4 word 1 2990 Power | 0..12.5 kW | 0..12.5 MW\n");
+    EXPECT_EQ(
+        consequences(declared("kW", false, 1000, 12.5), declared("kW", false, 2000, 12.5)),
+        "scaling | TPDO4 word 1 2990 Power | 0..12.5 kW for 0..1000, unsigned | 0..12.5 kW for 0..2000, "
+        "unsigned\n");
+    EXPECT_EQ(
+        consequences(declared("kW", false, 1000, 12.5), declared("kW", true, 1000, 12.5)),
+        "scaling | TPDO4 word 1 2990 Power | 0..12.5 kW for 0..1000, unsigned | 0..12.5 kW for 0..1000, "
+        "signed\n"
+        "object | 2001h:1 | 2990 Power | nothing\n");
+}
+
+TEST(Compare, says_when_the_two_devices_stop_talking) {
+    const Plant on = plant("", "", "427 = 1");
+    const Plant off = plant("", "", "427 = 1", "0");
+    const Comparison comparison = compare(on.side(), off.side());
+    ASSERT_EQ(comparison.consequences.size(), 1U);
+    EXPECT_EQ(comparison.consequences[0].kind, "communication");
+    EXPECT_EQ(comparison.consequences[0].b, "off: governor and gateway exchange nothing");
+}
+
+TEST(Compare, shows_a_few_of_many_objects_that_changed) {
+    const Plant a =
+        plant("", "16400 = [2000, 2031, 2300, 2904]\n16404 = [2905, 2907, 2908]\n16460 = [125, 125]",
+              "427 = 1\n16404 = 0x681");
+    const Plant b = plant("", "16400 = [2031, 2300, 2904, 0]\n16404 = [2905, 2907, 2908]\n16460 = [125, 125]",
+                          "427 = 1\n16404 = 0x681");
+    const Comparison comparison = compare(a.side(), b.side());
+    const std::string text = render_text(comparison, {{"a"}, "01"}, {{"b"}, "02"});
+    EXPECT_NE(text.find("  2001h:4                              2904 "), std::string::npos) << text;
+    EXPECT_EQ(text.find("  2001h:5"), std::string::npos) << text;
+    EXPECT_TRUE(text.ends_with("\n  and 3 more sub-indexes of 2001h and 2002h\n")) << text;
+    const std::string json = render_json(comparison, {{"a"}, "01"}, {{"b"}, "02"});
+    EXPECT_NE(json.find("2001h:7"), std::string::npos);
+}
+
+TEST(Compare, names_the_numbers_that_tables_leave_out) {
+    const Plant a = plant("", "", "427 = 1");
+    std::set<std::uint16_t> printed;
+    for (const parameter::Row* row : a.catalogue->rows(parameter::Device::gateway)) {
+        if (row->number != 428 && row->number != 429 && row->number != 16415) {
+            printed.insert(row->number);
+        }
+    }
+    Comparison comparison = compare(a.side(), a.side());
+    comparison.not_printed = ranges_not_printed(*a.catalogue, parameter::Device::gateway, printed);
+    EXPECT_EQ(render_text(comparison, {{"a"}, ""}, {{"t"}, ""}),
+              "A: a\nB: t\n\nAll parameters that the tables print are the same.\n"
+              "\nNot in the tables, taken as in A: 3 parameters\n  gateway  428..429, 16415\n");
 }
 
 }  // namespace

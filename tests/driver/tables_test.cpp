@@ -83,7 +83,8 @@ TEST_P(Sample, agrees_with_its_own_sheet_as_found) {
     const TableSide found = side_of_tables(file, read_tables({path, path}, *file.catalogue));
     EXPECT_TRUE(found.absent.empty());
     const compare::Comparison comparison =
-        compare::compare({file.settings, file.configuration}, {found.settings, found.configuration});
+        compare::compare({file.settings, file.configuration, *file.catalogue},
+                         {found.settings, found.configuration, *file.catalogue});
     EXPECT_TRUE(comparison.same());
 }
 
@@ -99,7 +100,8 @@ TEST_P(Sample, copies_differ_in_node_id_and_title_only) {
         const CheckedFile copy = check_text(file.path, *text);
         ASSERT_TRUE(copy.valid()) << copy.findings.all()[0].message;
         const compare::Comparison comparison =
-            compare::compare({file.settings, file.configuration}, {copy.settings, copy.configuration});
+            compare::compare({file.settings, file.configuration, *file.catalogue},
+                             {copy.settings, copy.configuration, *copy.catalogue});
         ASSERT_EQ(comparison.parameters.size(), 1U);
         EXPECT_EQ(comparison.parameters[0].row->number, 427);
         EXPECT_EQ(comparison.parameters[0].b, node);

@@ -33,9 +33,17 @@ std::vector<std::uint16_t> words_that_travel() {
     return numbers;
 }
 
-// A key of the parameter file for this row: number, name, or both.
+// A key of the parameter file for this row: number, name, or both, an alias, or a misprint of the manuals.
 std::string spelling(const Row& row, Dice* dice) {
-    const std::uint32_t kind = dice == nullptr ? 0 : dice->below(3);
+    const std::uint32_t kind = dice == nullptr ? 0 : dice->below(5);
+    if (kind == 3 && !row.aliases.empty()) {
+        return fmt::format("\"{}\"",
+                           row.aliases[dice->below(static_cast<std::uint32_t>(row.aliases.size()))]);
+    }
+    if (kind == 4 && !row.misprints.empty()) {
+        return fmt::format("\"{}\"",
+                           row.misprints[dice->below(static_cast<std::uint32_t>(row.misprints.size()))]);
+    }
     if (kind == 0 || row.name.empty()) {
         return fmt::format("{}", row.number);
     }
@@ -48,9 +56,12 @@ std::int64_t Dice::between(std::int64_t lowest, std::int64_t highest) {
     return lowest + static_cast<std::int64_t>(engine_() % static_cast<std::uint64_t>(highest - lowest + 1));
 }
 
-RandomPlant::RandomPlant(std::uint32_t seed, bool careful) : dice_(seed), careful_(careful) {
+RandomPlant::RandomPlant(std::uint32_t seed, bool careful, Identifiers identifiers)
+    : dice_(seed), careful_(careful), identifiers_(identifiers) {
     required();
+    declare();
     outputs();
+    this->identifiers();
     inputs();
     if (!careful_) {
         anything();
@@ -77,6 +88,7 @@ void RandomPlant::required() {
     set(Device::gateway, gateway::canopen_bit_rate, dice_.pick(rates));
     set(Device::gateway, gateway::governor_communication, 1);
     const std::int64_t node = dice_.between(2, 127);
+    node_ = node;
     set(Device::gateway, gateway::node_id, node);
     set(Device::gateway, gateway::heartbeat_producer, dice_.between(16, 60000));
     if (dice_.one_in(2)) {
@@ -91,17 +103,64 @@ void RandomPlant::required() {
     }
 }
 
+void RandomPlant::declare() {
+    main_cycle_us_ = dice_.one_in(3) ? dice_.between(10000, 20000) : 15625;
+    if (dice_.one_in(2)) {
+        identity_ = fmt::format(
+            "\n[gateway]\nidentity = {{ software_version = {}, serial_date = {}, serial_number = {} }}\n",
+            dice_.below(1000), dice_.between(401, 412), dice_.below(65536));
+    }
+    for (std::uint32_t n = dice_.below(4); n > 0; --n) {
+        const auto number = static_cast<std::uint16_t>(2990 + n);
+        const bool is_signed = dice_.one_in(2);
+        declared_.push_back(number);
+        declarations_.push_back(fmt::format(
+            "\n[[governor.declare]]\nnumber = {}\nname = \"Declared{}\"\nkind = \"measurement\"\nwidth = "
+            "16\nsigned = {}\ninternal = [0, {}]\nexternal = [0.0, {}.5]\n",
+            number, number, is_signed, dice_.between(100, 32767), dice_.between(1, 999)));
+    }
+}
+
+// Only so many bases of CiA 301 belong to no PDO, SDO or heartbeat of the gateway itself.
+void RandomPlant::identifiers() {
+    std::uint16_t next = facts::first_free_identifier;
+    std::vector<std::int64_t> unused{0x080, 0x100, 0x680, 0x780};
+    dice_.shuffle(unused);
+    for (unsigned tpdo = facts::predefined_pdos + 1; tpdo <= facts::tpdo_count; ++tpdo) {
+        const bool active = std::find(active_.begin(), active_.end(), tpdo) != active_.end();
+        std::int64_t identifier = next++;
+        if (identifiers_ == Identifiers::follow_node && active) {
+            identifier = unused.back() | node_;
+            unused.pop_back();
+        } else if (identifiers_ == Identifiers::follow_node) {
+            identifier = (0x80 * dice_.between(1, 15)) | node_;
+        }
+        gateway_[static_cast<std::uint16_t>(gateway::tpdo_identifier + tpdo - facts::predefined_pdos - 1)] =
+            fmt::format("0x{:X}", identifier);
+    }
+}
+
+bool RandomPlant::may_be_active(unsigned tpdo) {
+    constexpr std::size_t bases = 4;
+    if (dice_.one_in(2) || (identifiers_ == Identifiers::follow_node && active_.size() == bases)) {
+        return false;
+    }
+    if (tpdo > facts::predefined_pdos) {
+        active_.push_back(tpdo);
+    }
+    return true;
+}
+
 void RandomPlant::outputs() {
-    static const std::vector<std::uint16_t> measurements = words_that_travel();
+    std::vector<std::uint16_t> measurements = words_that_travel();
+    for (int often = 0; often < 8; ++often) {
+        measurements.insert(measurements.end(), declared_.begin(), declared_.end());
+    }
     set(Device::governor, governor::send_errors, dice_.below(2));
     set(Device::governor, governor::send_status, dice_.below(2));
-    std::uint16_t identifier = facts::first_free_identifier;
     for (unsigned tpdo = facts::first_analogue_tpdo; tpdo <= facts::tpdo_count; ++tpdo) {
         const unsigned offset = tpdo - facts::first_analogue_tpdo;
-        if (tpdo > facts::predefined_pdos) {
-            set(Device::gateway, gateway::tpdo_identifier + offset - 1, identifier++);
-        }
-        if (dice_.one_in(2)) {
+        if (!may_be_active(tpdo)) {
             continue;
         }
         set(Device::governor, governor::tpdo_cycle + offset, dice_.between(1, 3999));
@@ -162,10 +221,21 @@ void RandomPlant::anything() {
     }
 }
 
-std::vector<std::string> RandomPlant::lines(Device device, const Values& values, Dice& dice) const {
+std::vector<std::string> RandomPlant::lines(Device device, const Values& values, std::uint32_t order,
+                                            Dice& dice) const {
     std::vector<std::string> all;
-    for (const auto& [number, value] : values) {
-        all.push_back(fmt::format("{} = {}\n", spelling(*shipped().find(device, number), &dice), value));
+    for (auto value = values.begin(); value != values.end();) {
+        const Row& row = *shipped().find(device, value->first);
+        const std::string key = spelling(row, order != 0 ? &dice : nullptr);
+        std::vector<std::string> elements{value->second};
+        std::uint16_t next = row.number;
+        for (++value; order != 0 && value != values.end() && value->first == ++next &&
+                      value->first <= row.list_end && !dice.one_in(4);
+             ++value) {
+            elements.push_back(value->second);
+        }
+        all.push_back(elements.size() == 1 ? fmt::format("{} = {}\n", key, elements[0])
+                                           : fmt::format("{} = [{}]\n", key, fmt::join(elements, ", ")));
     }
     return all;
 }
@@ -174,15 +244,23 @@ std::string RandomPlant::text(std::uint32_t order) const {
     Dice dice(order);
     std::vector<std::string> tables;
     for (const Device device : {Device::governor, Device::gateway}) {
-        std::vector<std::string> all = lines(device, device == Device::governor ? governor_ : gateway_, dice);
+        std::vector<std::string> all =
+            lines(device, device == Device::governor ? governor_ : gateway_, order, dice);
         if (order != 0) {
             dice.shuffle(all);
         }
         tables.push_back(fmt::format("\n[{}.parameters]\n{}", to_text(device), fmt::join(all, "")));
     }
     if (!nodes_.empty()) {
-        tables.push_back(fmt::format("\n[network]\nnodes = [{}]\n", fmt::join(nodes_, ", ")));
+        std::vector<int> nodes = nodes_;
+        if (order != 0) {
+            dice.shuffle(nodes);
+        }
+        tables.push_back(fmt::format("\n[network]\nnodes = [{}]\n", fmt::join(nodes, ", ")));
     }
+    tables.push_back(fmt::format("\n[governor]\nmain_cycle_us = {}\n", main_cycle_us_));
+    tables.push_back(identity_);
+    tables.insert(tables.end(), declarations_.begin(), declarations_.end());
     if (order != 0) {
         dice.shuffle(tables);
     }

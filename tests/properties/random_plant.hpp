@@ -36,11 +36,15 @@ class Dice {
     std::mt19937 engine_;
 };
 
+// Where the identifiers of TPDO5..16 come from.
+enum class Identifiers : std::uint8_t { free_pool, follow_node };
+
 class RandomPlant {
   public:
-    explicit RandomPlant(std::uint32_t seed, bool careful);
+    RandomPlant(std::uint32_t seed, bool careful, Identifiers identifiers = Identifiers::free_pool);
 
-    // As a parameter file. `order` shuffles tables, lines and the spelling of keys; 0: as they came.
+    // As a parameter file. `order` shuffles tables, lines, spelling of keys, lists and listed nodes; 0: as
+    // they came, one number a line.
     std::string text(std::uint32_t order = 0) const;
 
   private:
@@ -48,14 +52,25 @@ class RandomPlant {
 
     void required();
     void outputs();
+    void identifiers();
+    void declare();
+    bool may_be_active(unsigned tpdo);
     void inputs();
     void anything();
     std::string value_in_range(const parameter::Row& row);
-    std::vector<std::string> lines(parameter::Device device, const Values& values, Dice& dice) const;
+    std::vector<std::string> lines(parameter::Device device, const Values& values, std::uint32_t order,
+                                   Dice& dice) const;
     void set(parameter::Device device, unsigned number, std::int64_t value);
 
     Dice dice_;
     bool careful_;
+    Identifiers identifiers_;
+    std::int64_t node_ = 0;
+    std::int64_t main_cycle_us_ = 15625;
+    std::string identity_;
+    std::vector<std::string> declarations_;
+    std::vector<std::uint16_t> declared_;
+    std::vector<unsigned> active_;  // TPDO5..16
     std::vector<int> nodes_;
     Values governor_;
     Values gateway_;
