@@ -258,12 +258,13 @@ std::string RandomPlant::text(std::uint32_t order) const {
         }
         tables.push_back(fmt::format("\n[network]\nnodes = [{}]\n", fmt::join(nodes, ", ")));
     }
-    tables.push_back(fmt::format("\n[governor]\nmain_cycle_us = {}\n", main_cycle_us_));
     tables.push_back(identity_);
     tables.insert(tables.end(), declarations_.begin(), declarations_.end());
     if (order != 0) {
         dice.shuffle(tables);
     }
+    // [governor] must stand before its [[governor.declare]].
+    tables.insert(tables.begin(), fmt::format("\n[governor]\nmain_cycle_us = {}\n", main_cycle_us_));
     return fmt::format("format = 1\ntitle = \"random\"\n{}", fmt::join(tables, ""));
 }
 
