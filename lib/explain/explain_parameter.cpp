@@ -242,6 +242,7 @@ std::vector<Entry> row_entries(const std::vector<const Row*>& rows, const Catalo
         }
     }
     std::vector<Entry> all;
+    all.reserve(errors.size() + entries.size());
     for (const ErrorDescription* error : errors) {
         all.push_back(error_entry(*error, catalogue));
     }
