@@ -44,7 +44,9 @@ std::uint8_t node_id_of(const Arguments& arguments) {
 
 std::uint16_t first_identifier_of(const Arguments& arguments) {
     const std::string text = arguments.value("--identifiers-from");
-    const auto number = base::parse_integer(text);
+    const bool hexadecimal = text.starts_with("0x");
+    const auto number =
+        hexadecimal ? base::parse_integer(std::string_view(text).substr(2), 16) : base::parse_integer(text);
     if (!number || *number < facts::first_free_identifier || *number > facts::last_free_identifier) {
         throw UsageError(fmt::format("--identifiers-from {}: CiA 301 leaves 0x{:X} to 0x{:X} free", text,
                                      facts::first_free_identifier, facts::last_free_identifier));

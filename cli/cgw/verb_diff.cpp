@@ -59,7 +59,8 @@ constexpr Option diff_options[] = {
 constexpr std::string_view diff_details =
     "Exit code 0 when nothing differs, 1 when something does or when a file has\n"
     "errors, 3 when one cannot be read. Parameters that tables do not print are taken\n"
-    "as in A; their numbers are named, and they differ where A has another value than 0.\n";
+    "as in A; their numbers are named, and they differ where A has another value than\n"
+    "0.\n";
 
 // Exit code; findings of a file with errors go to stderr.
 int report_invalid(const driver::CheckedFile& file, bool color) {

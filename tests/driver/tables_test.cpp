@@ -108,7 +108,8 @@ TEST_P(Sample, copies_differ_in_node_id_and_title_only) {
         ASSERT_EQ(comparison.otherwise.size(), 1U);
         EXPECT_EQ(comparison.otherwise[0].kind, "title");
         for (const compare::Difference& difference : comparison.consequences) {
-            EXPECT_TRUE(difference.kind == "node-id" || difference.kind == "pdo-identifier")
+            EXPECT_TRUE(difference.kind == "node-id" || difference.kind == "node-identifier" ||
+                        difference.kind == "pdo-identifier")
                 << difference.kind;
         }
     }
