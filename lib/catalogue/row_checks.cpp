@@ -80,6 +80,12 @@ void check_settable(const Row& row, const Draft& draft, bool declaration, const 
     if (declaration && row.name.empty() && !draft.says("name") && !draft.refuses("name")) {
         require("name", row, draft, report);
     }
+    constexpr double largest = 0xFFFFFFFF;  // what is printed with eight hexadecimal digits
+    const bool printable = row.minimum.value_or(-1) >= 0 && row.maximum.value_or(largest + 1) <= largest;
+    if (row.base == parameter::Base::hexadecimal && !printable && !draft.refuses("range")) {
+        report(rules::declaration_invalid, draft.where("base"),
+               fmt::format("{} is hexadecimal: its range lies within 0..0xFFFFFFFF", row.number));
+    }
 }
 
 void check_choices(const Row& row, const Draft& draft, const Reporter& report) {

@@ -26,20 +26,27 @@ bool has_dots(std::string_view text) {
            text == ":" || text == "\xE2\x8B\xAE";
 }
 
+bool only_dots(std::string_view text) {
+    while (!text.empty()) {
+        const auto is_dots = [text](std::string_view dots) { return text.starts_with(dots); };
+        const auto all = {".", ":", "\xE2\x80\xA6", "\xE2\x8B\xAE"};
+        const auto* const found = std::find_if(all.begin(), all.end(), is_dots);
+        if (found == all.end()) {
+            return false;
+        }
+        text.remove_prefix(std::string_view(*found).size());
+    }
+    return true;
+}
+
 // ":", "...", "…" in every cell that is not empty.
 bool is_ellipsis(const CellLine& line) {
     bool any = false;
     for (const Cell& cell : line.cells) {
-        std::string rest = cell.text;
-        for (const std::string_view dots : {"\xE2\x80\xA6", "\xE2\x8B\xAE"}) {
-            for (std::size_t at = rest.find(dots); at != std::string::npos; at = rest.find(dots)) {
-                rest.replace(at, dots.size(), ".");
-            }
-        }
-        if (!rest.empty() && !consists_of(rest, ".:")) {
+        if (!only_dots(cell.text)) {
             return false;
         }
-        any = any || !rest.empty();
+        any = any || !cell.text.empty();
     }
     return any;
 }

@@ -37,11 +37,19 @@ TEST_F(ReadCatalogue, returns_true_only_without_findings) {
     EXPECT_FALSE(read("device = \n"));
 }
 
+TEST_F(ReadCatalogue, wants_a_range_that_hexadecimal_digits_can_show) {
+    const std::string text = file(
+        governor + "[[row]]\nnumber = 4000\nname = \"Droop\"\nkind = \"function\"\nbase = \"hexadecimal\"\n");
+    EXPECT_NE(text.find("4000 is hexadecimal: its range lies within 0..0xFFFFFFFF"), std::string::npos)
+        << text;
+}
+
 TEST_F(ReadCatalogue, adds_settable_rows_of_every_list) {
     ASSERT_EQ(
         file(governor +
              "[[row]]\nnumber = 1\nname = \"TeethPickUp1\"\nkind = \"parameter\"\nrange = [1, 400]\n"
              "[[row]]\nnumber = 4000\nname = \"Droop\"\nkind = \"function\"\nbase = \"hexadecimal\"\n"
+             "range = [0, 255]\n"
              "[[row]]\nnumber = 6000\nname = \"Map\"\nkind = \"curve\"\nchoices = [1, 2]\ndecimal = true\n"),
         "");
     EXPECT_EQ(find(1)->list, List::parameter);

@@ -508,6 +508,16 @@ INSTANTIATE_TEST_SUITE_P(Rules, TableRules, testing::ValuesIn(table_rules()), []
 
 // --- anything at all ---
 
+TEST(ParameterTable, reads_a_long_line_of_dots_at_once) {
+    std::string dots;
+    while (dots.size() < (1U << 16U)) {
+        dots += "\xE2\x80\xA6";
+    }
+    const Read many = read("Number;Parameter;Value;Unit\n401;CanMyNodeNumber;1;\n" + dots + "\n");
+    ASSERT_EQ(many.findings.all().size(), 1U);
+    EXPECT_EQ(many.findings.all()[0].rule, &diagnostic::rules::table_ellipsis);
+}
+
 TEST(ParameterTable, survives_every_cut_and_every_changed_byte) {
     const std::string path = CGW_TEST_DATA "/tables/manual-governor.bars.md";
     const std::string whole = test::read_text(path).substr(0, 260);
