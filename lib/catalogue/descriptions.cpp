@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "base/ascii.hpp"
 #include "catalogue/errors.hpp"
 #include "catalogue/objects.hpp"
 
@@ -11,15 +12,6 @@ using parameter::Catalogue;
 using parameter::Device;
 using parameter::Program;
 using parameter::Row;
-
-char lower(char c) {
-    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-}
-
-bool equal_ignoring_case(std::string_view a, std::string_view b) {
-    return std::equal(a.begin(), a.end(), b.begin(), b.end(),
-                      [](char x, char y) { return lower(x) == lower(y); });
-}
 
 const Row* shown_by_either(const Catalogue& catalogue, std::uint16_t number) {
     const Row* row = catalogue.find(Device::gateway, number);
@@ -42,7 +34,7 @@ const ErrorDescription* find_error(Device device, Program program, std::uint16_t
 
 const ErrorDescription* find_error(std::string_view key) {
     for (const ErrorDescription& error : shipped_errors()) {
-        if (!error.key.empty() && equal_ignoring_case(error.key, key)) {
+        if (!error.key.empty() && base::equal_ignoring_case(error.key, key)) {
             return &error;
         }
     }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 
+#include "base/ascii.hpp"
 #include "dictionary/ascii.hpp"
 
 namespace cgw::dbc {
@@ -41,12 +42,6 @@ std::string joined_words(std::string_view ascii) {
     return name;
 }
 
-std::string lower(std::string text) {
-    std::transform(text.begin(), text.end(), text.begin(),
-                   [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
-    return text;
-}
-
 }  // namespace
 
 std::string identifier(std::string_view utf8, std::string_view ending) {
@@ -64,11 +59,12 @@ std::string identifier(std::string_view utf8, std::string_view ending) {
 
 std::string Names::take(const std::string& wanted) {
     std::string name = wanted;
-    for (int count = 2; std::find(taken_.begin(), taken_.end(), lower(name)) != taken_.end(); ++count) {
+    for (int count = 2; std::find(taken_.begin(), taken_.end(), base::lowered(name)) != taken_.end();
+         ++count) {
         const std::string ending = fmt::format("_{}", count);
         name = wanted.substr(0, longest_name - ending.size()) + ending;
     }
-    taken_.push_back(lower(name));
+    taken_.push_back(base::lowered(name));
     return name;
 }
 

@@ -3,20 +3,12 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/ascii.hpp"
+
 namespace cgw::eds {
 namespace {
 
 constexpr std::string_view line_end = "\r\n";
-
-// ASCII only, as the files are: the locale has no say.
-char lower(char c) {
-    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-}
-
-bool same_name(std::string_view a, std::string_view b) {
-    return std::equal(a.begin(), a.end(), b.begin(), b.end(),
-                      [](char x, char y) { return lower(x) == lower(y); });
-}
 
 void print_line(std::string& text, const Line& line) {
     if (line.kind == Line::Kind::entry) {
@@ -43,7 +35,7 @@ Section& Section::comment(std::string text) {
 
 const std::string* Section::find(std::string_view key) const {
     const auto found = std::find_if(lines.begin(), lines.end(), [key](const Line& line) {
-        return line.kind == Line::Kind::entry && same_name(line.key, key);
+        return line.kind == Line::Kind::entry && base::equal_ignoring_case(line.key, key);
     });
     return found != lines.end() ? &found->value : nullptr;
 }
@@ -53,8 +45,9 @@ Section& Document::section(std::string name) {
 }
 
 const Section* Document::find(std::string_view name) const {
-    const auto found = std::find_if(sections.begin(), sections.end(),
-                                    [name](const Section& section) { return same_name(section.name, name); });
+    const auto found = std::find_if(sections.begin(), sections.end(), [name](const Section& section) {
+        return base::equal_ignoring_case(section.name, name);
+    });
     return found != sections.end() ? &*found : nullptr;
 }
 

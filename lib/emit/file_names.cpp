@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/ascii.hpp"
 #include "base/utf8.hpp"
 #include "emit/emitter.hpp"
 
@@ -24,9 +25,7 @@ bool has_eds_ending(std::string_view name) {
     if (name.size() <= eds_ending.size()) {
         return false;
     }
-    const std::string_view ending = name.substr(name.size() - eds_ending.size());
-    return std::equal(ending.begin(), ending.end(), eds_ending.begin(),
-                      [](char a, char b) { return (a >= 'A' && a <= 'Z' ? a - 'A' + 'a' : a) == b; });
+    return base::equal_ignoring_case(name.substr(name.size() - eds_ending.size()), eds_ending);
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "base/ascii.hpp"
 #include "base/edit_distance.hpp"
 #include "base/utf8.hpp"
 #include "explain/entries.hpp"
@@ -136,13 +137,9 @@ std::vector<const Row*> rows_meant(std::string_view text, const Catalogue& catal
     return rows.empty() ? rows_numbered_and_named(text, catalogue) : rows;
 }
 
-bool equal_ignoring_case(std::string_view a, std::string_view b) {
-    return base::edit_distance(a, b) == 0;
-}
-
 const diagnostic::Rule* find_rule(std::string_view text) {
     for (const diagnostic::Rule* rule : diagnostic::all_rules()) {
-        if (equal_ignoring_case(text, rule->code) || equal_ignoring_case(text, rule->name)) {
+        if (base::equal_ignoring_case(text, rule->code) || base::equal_ignoring_case(text, rule->name)) {
             return rule;
         }
     }

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/ascii.hpp"
 #include "base/edit_distance.hpp"
 #include "base/numbers.hpp"
 #include "input/foreign_rows.hpp"
@@ -264,9 +265,7 @@ std::string without_form_feeds(std::string_view text) {
 
 bool is_html(std::string_view text) {
     const std::size_t first = std::min(text.find_first_not_of("\xEF\xBB\xBF \t\r\n"), text.size());
-    std::string start(text.substr(first, 14));
-    std::transform(start.begin(), start.end(), start.begin(),
-                   [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+    const std::string start = base::lowered(text.substr(first, 14));
     return start.starts_with("<!doctype html") || start.starts_with("<html") || start.starts_with("<?xml");
 }
 

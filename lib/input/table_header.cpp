@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <string_view>
 
-#include "base/edit_distance.hpp"
+#include "base/ascii.hpp"
 #include "input/table_values.hpp"
 #include "toml/document.hpp"
 
@@ -31,16 +31,9 @@ constexpr std::string_view words_of_states[] = {"old", "new", "alt", "neu", "act
 // Columns that hold numbers and are not what is set: "Default value", "Min. value", "Standardwert".
 constexpr std::string_view harmless_values[] = {"default", "min", "max", "standard", "vorgabe"};
 
-std::string lower(std::string_view text) {
-    std::string result(text);
-    std::transform(result.begin(), result.end(), result.begin(),
-                   [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
-    return result;
-}
-
 std::optional<Column> column_of(std::string_view word) {
     for (const ColumnWord& known : column_words) {
-        if (same_word(known.word, word)) {
+        if (base::equal_ignoring_case(known.word, word)) {
             return known.column;
         }
     }
@@ -48,7 +41,7 @@ std::optional<Column> column_of(std::string_view word) {
 }
 
 bool may_hold_values(std::string_view cell) {
-    const std::string text = lower(cell);
+    const std::string text = base::lowered(cell);
     const auto contains = [&text](std::string_view word) { return text.find(word) != std::string::npos; };
     const bool is_state = std::any_of(std::begin(words_of_states), std::end(words_of_states),
                                       [&text](std::string_view word) { return text == word; });
@@ -67,10 +60,6 @@ std::string doubt_of(const Header& header, std::string_view cell, std::optional<
 }
 
 }  // namespace
-
-bool same_word(std::string_view a, std::string_view b) {
-    return a.size() == b.size() && base::edit_distance(a, b) == 0;
-}
 
 std::optional<Header> header_of(const CellLine& line) {
     Header header;

@@ -27,7 +27,4 @@ struct Header {
 // A line is a header when it names the column Number and one of Parameter and Value, and holds no number.
 std::optional<Header> header_of(const CellLine& line);
 
-// Ignores case.
-bool same_word(std::string_view a, std::string_view b);
-
 }  // namespace cgw::input

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/ascii.hpp"
 #include "base/numbers.hpp"
 #include "input/parameter_keys.hpp"
 #include "input/table_header.hpp"
@@ -232,7 +233,7 @@ class RowReader {
         }
         const Cell device = cell(line, Column::device);
         for (const Device known : {Device::governor, Device::gateway}) {
-            if (same_word(device.text, parameter::to_text(known))) {
+            if (base::equal_ignoring_case(device.text, parameter::to_text(known))) {
                 result_.of_other_device += known == device_ ? 0 : 1;
                 return known == device_;
             }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/ascii.hpp"
 #include "base/numbers.hpp"
 #include "input/value_limits.hpp"
 #include "toml/document.hpp"
@@ -23,13 +24,6 @@ bool consists_of(std::string_view text, std::string_view characters) {
     return !text.empty() && text.find_first_not_of(characters) == std::string_view::npos;
 }
 
-std::string lower(std::string_view text) {
-    std::string result(text);
-    std::transform(result.begin(), result.end(), result.begin(),
-                   [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
-    return result;
-}
-
 // A unit in one spelling: without brackets, in lower case, and as the catalogue has it.
 std::string canonical_unit(std::string_view text) {
     constexpr std::pair<std::string_view, std::string_view> spellings[] = {
@@ -38,7 +32,7 @@ std::string canonical_unit(std::string_view text) {
         {"degc", "°c"},        {"-", ""},           {"h", "hex"},           {"dez", "dec"},
         {"dezimal", "dec"},    {"decimal", "dec"},  {"hexadecimal", "hex"},
     };
-    std::string unit = lower(text);
+    std::string unit = base::lowered(text);
     std::erase_if(unit, [](char c) { return c == '[' || c == ']' || c == ' '; });
     for (const auto& [spelling, canonical] : spellings) {
         unit = unit == spelling ? std::string(canonical) : unit;

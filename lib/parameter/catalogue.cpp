@@ -5,13 +5,11 @@
 #include <optional>
 #include <tuple>
 
+#include "base/ascii.hpp"
+
 namespace cgw::parameter {
 
 namespace {
-
-char lower(char c) {
-    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-}
 
 // Walks a name in its comparable form: lower case, without the blanks that stand before a bracket.
 class NameWalk {
@@ -26,7 +24,7 @@ class NameWalk {
         if (rest_.empty()) {
             return std::nullopt;
         }
-        const char c = lower(rest_.front());
+        const char c = base::lower(rest_.front());
         rest_.remove_prefix(1);
         return c;
     }
