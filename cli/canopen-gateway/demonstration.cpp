@@ -6,14 +6,15 @@
 
 #include "cli/canopen-gateway/display.hpp"
 #include "cli/canopen-gateway/effects.hpp"
+#include "facts/communication.hpp"
 
 namespace cgw::gateway_cli {
 namespace {
 
+using facts::object::device_type;
+using facts::object::identity;
+constexpr std::uint16_t heartbeat_time = facts::object::producer_heartbeat;
 constexpr Time second = 1'000'000;
-constexpr std::uint16_t device_type = 0x1000;
-constexpr std::uint16_t identity = 0x1018;
-constexpr std::uint16_t heartbeat_time = 0x1017;
 
 struct IdentityRow {
     std::uint16_t index;

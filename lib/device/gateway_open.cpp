@@ -1,5 +1,6 @@
 // Start: from the image's tables to the places in the value block, once.
 #include "device/gateway.hpp"
+#include "facts/communication.hpp"
 
 namespace cgw::device {
 namespace {

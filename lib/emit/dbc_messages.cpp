@@ -5,6 +5,7 @@
 #include "dbc/names.hpp"
 #include "emit/dbc_parts.hpp"
 #include "emit/pdo_rows.hpp"
+#include "facts/communication.hpp"
 #include "facts/identifiers.hpp"
 
 namespace cgw::emit {
@@ -42,9 +43,13 @@ dbc::Message pdo_message(const Plant& plant, const DbcNodes& nodes, const config
     message.length = pdo.length();
     message.sender = transmit ? nodes.gateway : nodes.partner;
     message.receiver = transmit ? nodes.partner : nodes.gateway;
-    const unsigned communication = (transmit ? 0x1800U : 0x1400U) + pdo.number - 1U;
-    message.comment = fmt::format("{} ({:04X}h, {:04X}h), {}", function, communication,
-                                  communication + 0x200U, time_text(pdo));
+    namespace objects = facts::object;
+    const unsigned offset = pdo.number - 1U;
+    const unsigned communication =
+        (transmit ? objects::tpdo_communication : objects::rpdo_communication) + offset;
+    const unsigned mapping = (transmit ? objects::tpdo_mapping : objects::rpdo_mapping) + offset;
+    message.comment =
+        fmt::format("{} ({:04X}h, {:04X}h), {}", function, communication, mapping, time_text(pdo));
     if (transmit) {
         message.send_type = pdo.time.cycles == 0 ? dbc::SendType::spontaneous : dbc::SendType::cyclic;
         if (pdo.time.cycles != 0) {

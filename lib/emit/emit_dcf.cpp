@@ -1,11 +1,13 @@
 #include "eds/writer.hpp"
 #include "emit/artefacts.hpp"
+#include "facts/communication.hpp"
 
 namespace cgw::emit {
 namespace {
 
-constexpr std::uint16_t identity = 0x1018;
-constexpr std::uint8_t serial_number_sub = 4;
+using facts::object::identity;
+using facts::object::serial_number_sub;
+
 constexpr std::string_view bit_rate_not_known =
     "Baudrate is left out: the bit timing is set by hand (4426 = 1), and nothing says which rate results";
 constexpr std::string_view identity_not_known =

@@ -6,11 +6,10 @@
 
 namespace cgw::facts {
 
-// Communication and manufacturer objects that code refers to (GWM 5.1).
+// Manufacturer objects (GWM 5.1); those of the communication profile are in communication.hpp.
 namespace object {
 inline constexpr std::uint16_t unsigned16_dummy = 0x0006;  // D25
-inline constexpr std::uint16_t error_register = 0x1001;
-inline constexpr std::uint16_t errors = 0x2000;  // :1..6 error bits, :7 engine state (D20)
+inline constexpr std::uint16_t errors = 0x2000;            // :1..6 error bits, :7 engine state (D20)
 inline constexpr std::uint8_t engine_state_sub = 7;
 inline constexpr std::uint16_t unsigned_outputs = 0x2001;  // D24
 inline constexpr std::uint16_t signed_outputs = 0x2002;

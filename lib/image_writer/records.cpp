@@ -1,6 +1,7 @@
 // The sections that follow from the configuration alone.
 #include <map>
 
+#include "facts/communication.hpp"
 #include "image_writer/sections.hpp"
 
 namespace cgw::image_writer {
@@ -9,7 +10,7 @@ namespace {
 using config::BusTiming;
 using config::Direction;
 
-constexpr std::uint16_t identity_index = 0x1018;
+constexpr std::uint16_t identity_index = facts::object::identity;
 constexpr std::uint8_t sensor_width = 16;  // 2004h is UNSIGNED16 (manual 5.1.5)
 
 void put_registers(Record& record, std::size_t offset, const BusTiming& timing) {

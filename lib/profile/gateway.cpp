@@ -4,6 +4,8 @@
 #include <array>
 
 #include "dictionary/ascii.hpp"
+#include "facts/communication.hpp"
+#include "facts/gateway.hpp"
 #include "facts/identifiers.hpp"
 #include "profile/gateway_objects.hpp"
 
@@ -20,13 +22,12 @@ constexpr std::string_view vendor_name = "Heinzmann GmbH & Co. KG";
 constexpr std::string_view product_name = "CANopen Gateway";
 constexpr std::uint32_t vendor_number = 0x161;
 constexpr std::uint32_t product_number = 0x1B59;
-constexpr std::array bit_rates_kbit{125U, 250U, 500U, 1000U};
 constexpr std::size_t description_length = 243;  // CiA 306, [FileInfo]
 constexpr std::string_view creation_time = "12:00AM";
 
-constexpr std::uint16_t consumer_heartbeat = 0x1016;
-constexpr std::uint16_t producer_heartbeat = 0x1017;
-constexpr std::uint16_t identity = 0x1018;
+using facts::object::consumer_heartbeat;
+using facts::object::identity;
+using facts::object::producer_heartbeat;
 
 constexpr std::array device_type{VariableRow{0, "Device Type", DataType::unsigned32}};
 constexpr std::array error_register{VariableRow{0, "Error Register", DataType::unsigned8, 0, false, true}};
@@ -50,12 +51,12 @@ constexpr std::array sdo_entries{
 
 // The communication profile without the PDOs. D42: nothing else of CiA 301 exists in the device.
 constexpr std::array communication_objects{
-    ObjectRow{0x1000, "Device Type", ObjectCode::var, device_type},
-    ObjectRow{0x1001, "Error Register", ObjectCode::var, error_register},
+    ObjectRow{facts::object::device_type, "Device Type", ObjectCode::var, device_type},
+    ObjectRow{facts::object::error_register, "Error Register", ObjectCode::var, error_register},
     ObjectRow{consumer_heartbeat, "Consumer Heartbeat Time", ObjectCode::array, consumer_heartbeat_entries},
     ObjectRow{producer_heartbeat, "Producer Heartbeat Time", ObjectCode::var, producer_heartbeat_time},
     ObjectRow{identity, "Identity Object", ObjectCode::record, identity_entries},
-    ObjectRow{0x1200, "Server SDO Parameter", ObjectCode::record, sdo_entries},
+    ObjectRow{facts::object::sdo_server, "Server SDO Parameter", ObjectCode::record, sdo_entries},
 };
 
 constexpr std::array<std::string_view, 2> notes{
@@ -138,7 +139,7 @@ dictionary::DeviceInformation device_information(const config::Configuration& co
     device.product_number = product_number;
     device.revision_number = configuration.identity.software_version;
     device.order_code = product_name;
-    device.bit_rates_kbit.assign(bit_rates_kbit.begin(), bit_rates_kbit.end());
+    device.bit_rates_kbit.assign(facts::bit_rates_kbit.begin(), facts::bit_rates_kbit.end());
     device.simple_boot_up_slave = true;
     for (const config::Pdo& pdo : configuration.pdos) {
         (pdo.direction == config::Direction::receive ? device.receive_pdos : device.transmit_pdos) += 1;

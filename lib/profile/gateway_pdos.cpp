@@ -2,6 +2,7 @@
 #include <array>
 
 #include "config/numbers.hpp"
+#include "facts/communication.hpp"
 #include "profile/gateway_objects.hpp"
 
 namespace cgw::profile {
@@ -24,11 +25,13 @@ struct DirectionRow {
     std::span<const std::uint16_t> identifier_bases;
 };
 
-constexpr DirectionRow receive_row{"RPDO", 0x1400, 0x1600, receive_words, config::rpdo_identifier_bases};
-constexpr DirectionRow transmit_row{"TPDO", 0x1800, 0x1A00, transmit_words, config::tpdo_identifier_bases};
+constexpr DirectionRow receive_row{"RPDO", facts::object::rpdo_communication, facts::object::rpdo_mapping,
+                                   receive_words, config::rpdo_identifier_bases};
+constexpr DirectionRow transmit_row{"TPDO", facts::object::tpdo_communication, facts::object::tpdo_mapping,
+                                    transmit_words, config::tpdo_identifier_bases};
 
-constexpr std::uint8_t cob_id_sub = 1;
-constexpr std::uint8_t event_timer_sub = 5;
+using facts::object::cob_id_sub;
+using facts::object::event_timer_sub;
 
 constexpr std::array communication_variables{
     VariableRow{0, number_of_entries, DataType::unsigned8, event_timer_sub},
@@ -39,13 +42,11 @@ constexpr std::array communication_variables{
     VariableRow{event_timer_sub, "Event Timer", DataType::unsigned16},
 };
 
-constexpr std::uint32_t pdo_not_valid = 0x80000000;  // bit 31 of a PDO's COB-ID
-
 // D30: predefined identifiers follow the node number, those of TPDO5..16 are absolute.
 Value cob_id(const DirectionRow& row, const config::Pdo& pdo) {
     const bool relative = pdo.cob_id_source == config::CobIdSource::predefined;
     const std::uint32_t identifier = relative ? row.identifier_bases[pdo.number - 1U] : pdo.cob_id;
-    return {identifier | (pdo.active ? 0U : pdo_not_valid), relative};
+    return {identifier | (pdo.active ? 0U : facts::pdo_not_valid), relative};
 }
 
 // D31: floored; 0 for what is inactive, not monitored or sent on change.
