@@ -16,6 +16,7 @@ import jsonschema
 
 CGW = os.environ["CGW"]
 SAMPLES = pathlib.Path(os.environ["CGW_SAMPLES"])
+README = SAMPLES.parent / "README.md"
 GENSET = str(SAMPLES / "genset.toml")
 MANUAL = str(SAMPLES / "manual-example.toml")
 CLEAN_GENSET = """: valid, no findings
@@ -53,6 +54,16 @@ class Verb(unittest.TestCase):
 
     def files(self, directory):
         return sorted(p.name for p in pathlib.Path(directory).iterdir())
+
+
+class Readme(Verb):
+    def test_its_taste_is_what_the_program_prints(self):
+        text = README.read_text()
+        taste = re.search(r"```toml\n(.*?)```\n.*?```\n(.*?)```", text, re.DOTALL)
+        (self.dir / "plant.toml").write_text(taste[1])
+        result = cgw("check", "plant.toml", directory=self.dir)
+        self.assertEqual((result.returncode, result.stderr), (1, b""))
+        self.assertEqual(result.stdout.decode(), taste[2])
 
 
 class Check(Verb):

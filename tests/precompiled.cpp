@@ -1,0 +1,1 @@
+// Nothing but a reason to precompile GoogleTest's header (tests/CMakeLists.txt).
