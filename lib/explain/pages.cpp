@@ -77,10 +77,11 @@ std::string parameters_page(const Catalogue& catalogue) {
 
 // --- checks ---
 
-std::string example(std::string_view title, std::string_view text) {
-    return text.empty()
+std::string example(std::string_view title, diagnostic::Example kind, std::string_view text) {
+    return kind == diagnostic::Example::none
                ? ""
-               : fmt::format("{}:\n\n```toml\n{}{}```\n\n", title, text, text.ends_with('\n') ? "" : "\n");
+               : fmt::format("{}:\n\n```{}\n{}{}```\n\n", title, diagnostic::language_of(kind), text,
+                             text.ends_with('\n') ? "" : "\n");
 }
 
 // The lists of people and the sections below them name rules the same way.
@@ -94,7 +95,7 @@ std::string rule_section(const Rule& rule) {
         }
         section += "\n";
     }
-    return section + example("Broken", rule.bad) + example("Kept", rule.good);
+    return section + example("Broken", rule.example, rule.bad) + example("Kept", rule.example, rule.good);
 }
 
 std::string lower_case(std::string_view text) {
@@ -124,7 +125,11 @@ std::string checks_page(const Catalogue&) {
         "CODE` prints\n"
         "one of them. Examples are lines on top of a file that is valid otherwise; a line replaces the one "
         "with its\n"
-        "key, and `# 427 = 5` stands for a line that is not there.\n\n";
+        "key, and `# 427 = 5` stands for a line that is not there. Those about printed tables (E0501 to "
+        "E0507) "
+        "are whole\n"
+        "tables, of E0509 rows of a table that is complete otherwise; that of E0508 is a file that is "
+        "copied.\n\n";
     std::string list = render_markdown(check_list(), heading_of_group);
     for (const Rule* rule : diagnostic::all_rules()) {
         list = replaced(list, fmt::format("| {} |", rule->code),

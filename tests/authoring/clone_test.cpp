@@ -5,7 +5,6 @@
 #include <gtest/gtest.h>
 
 #include "catalogue/catalogue.hpp"
-#include "check/overlay.hpp"
 #include "input/parameter_file.hpp"
 
 namespace cgw::authoring {
@@ -115,13 +114,6 @@ TEST(Clone, keeps_all_identifiers_for_another_network) {
     EXPECT_EQ(clone(file("format = 1", tpdo5, "427 = 5\n16404 = [0x6A0, 0x685]"),
                     {.node_id = 6, .keep_identifiers = true}),
               file("format = 1", tpdo5, "427 = 6\n16404 = [0x6A0, 0x685]"));
-}
-
-TEST(Clone, is_refused_by_the_bad_example_of_its_rule_and_not_by_the_good_one) {
-    const std::string whole = file("format = 1", "", "427 = 1");
-    const diagnostic::Rule& rule = diagnostic::rules::clone_identifier;
-    EXPECT_TRUE(clone(test::overlaid(whole, rule.bad), {.node_id = 2}).starts_with("E0508 "));
-    EXPECT_NE(clone(test::overlaid(whole, rule.good), {.node_id = 2}).find("0x682"), std::string::npos);
 }
 
 }  // namespace
