@@ -77,6 +77,12 @@ TEST(Clone, shifts_identifiers_that_follow_the_node_id_in_their_own_notation) {
               file("format = 1", tpdo5, "427 = 31\n16404 = 0x69f"));
 }
 
+TEST(Clone, writes_numbers_of_unusual_spelling_as_usual) {
+    EXPECT_EQ(
+        clone(file("format = 1", tpdo5, "427 = 0b101\n16404 = [0x6_85, 1_669, 0o3205]"), {.node_id = 0x1F}),
+        file("format = 1", tpdo5, "427 = 31\n16404 = [0x69F, 1695, 1695]"));
+}
+
 TEST(Clone, leaves_identifiers_of_inactive_tpdos_that_do_not_follow_the_node_id) {
     EXPECT_EQ(clone(file("format = 1", "", "427 = 5\n16404 = 0x6A0"), {.node_id = 6}),
               file("format = 1", "", "427 = 6\n16404 = 0x6A0"));

@@ -262,10 +262,21 @@ class Clone(Case):
                           [MINIMAL, "--node-id", "x"], [MINIMAL, "--node-id", "1"],
                           [MINIMAL, "--node-id", "9", "--title", "x" * 201],
                           [MINIMAL, "--node-id", "9", "--identifiers-from", "0x6E0"],
+                          [MINIMAL, "--node-id", "+9"], [MINIMAL, "--node-id", "0b1"],
                           [MINIMAL, "--node-id", "9", "--identifiers-from", "0x690", "--keep-identifiers"]):
             result = cgw("clone", *arguments)
             self.assertEqual((result.returncode, result.stdout), (2, b""), arguments)
             self.assertTrue(result.stderr.startswith(b"cgw: "), result.stderr)
+
+    def test_numbers_have_one_spelling(self):
+        for number in ("0x6_90", "0b11010010000", "+1680", "0x+690", "1680.0", " 1680", ""):
+            result = cgw("clone", MINIMAL, "--node-id", "9", "--identifiers-from", number)
+            self.assertEqual((result.returncode, result.stdout), (2, b""), number)
+            said = f"--identifiers-from {number}: a number is written 17, 0x11 or 11h".encode()
+            self.assertIn(said, result.stderr)
+        for number in ("1680", "0x690", "690h"):
+            result = cgw("clone", MINIMAL, "--node-id", "9", "--identifiers-from", number)
+            self.assertEqual(result.returncode, 0, result.stderr)
 
 
 class SchemaLine(Case):
