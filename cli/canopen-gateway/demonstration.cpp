@@ -27,11 +27,18 @@ constexpr IdentityRow identity_rows[] = {
     {identity, 3, "revision"},       {identity, 4, "serial number"},
 };
 
+// A run that ends before there was anything to show is no success: whoever asked for it would not notice a
+// gateway that never starts.
+void say_missing(PlantRun& plant_run, std::string_view what) {
+    plant_run.say(plant_run.over() ? fmt::format("{}: the run is over, --duration is too short", what)
+                                   : std::string(what));
+}
+
 bool wait_for_boot_up(PlantRun& plant_run) {
     const auto booted = [&plant_run] { return !plant_run.node().boot_ups().empty(); };
     if (!plant_run.run_until(booted, second)) {
-        plant_run.say("no boot-up message");
-        return plant_run.over();
+        say_missing(plant_run, "no boot-up message");
+        return false;
     }
     plant_run.say(fmt::format("boot-up of node {}", plant_run.node().boot_ups().front().node_id));
     return true;
@@ -54,16 +61,13 @@ void show_identity(PlantRun& plant_run) {
 }
 
 bool start(PlantRun& plant_run) {
-    if (plant_run.over()) {
-        return true;
-    }
     plant_run.master().command(canopen::NmtCommand::start, plant_run.node_id());
     const auto started = [&plant_run] {
         return plant_run.plant().gateway().state() == device::GatewayState::operational;
     };
     if (!plant_run.run_until(started, second)) {
-        plant_run.say("NMT start had no effect");
-        return plant_run.over();
+        say_missing(plant_run, "NMT start had no effect");
+        return false;
     }
     plant_run.say("NMT start: the gateway is Operational");
     return true;

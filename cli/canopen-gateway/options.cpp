@@ -112,7 +112,7 @@ std::string help_text() {
     }
     text +=
         "\nexit: 0 fine; 1 the embedded configuration is refused, or the gateway did not\n"
-        "answer as it should; 2 usage; 3 cannot write\n";
+        "answer the master as it should in that time; 2 usage; 3 cannot write\n";
     return text;
 }
 

@@ -1,13 +1,13 @@
 #include <fmt/format.h>
 
 #include "authoring/clone.hpp"
-#include "base/numbers.hpp"
 #include "cli/cgw/exit_codes.hpp"
 #include "cli/cgw/output_file.hpp"
 #include "cli/cgw/shared_options.hpp"
 #include "cli/cgw/terminal.hpp"
 #include "cli/cgw/verbs.hpp"
 #include "driver/check_file.hpp"
+#include "explain/query.hpp"
 #include "facts/identifiers.hpp"
 
 namespace cgw::cli {
@@ -33,29 +33,36 @@ constexpr std::string_view clone_details =
     "when both gateways would send under one identifier, and when the copy is not\n"
     "valid. Bit rates, the partner and [network] stay as they are: look them through.\n";
 
-std::uint8_t node_id_of(const Arguments& arguments) {
-    const std::string text = arguments.value("--node-id");
-    const auto number = base::parse_integer(text);
-    if (!number || *number < 1 || *number > 127) {
-        throw UsageError(fmt::format("--node-id {}: a node id is a number from 1 to 127", text));
+std::uint32_t number_of(const Arguments& arguments, std::string_view option) {
+    const std::string text = arguments.value(option);
+    const auto number = explain::parse_number(text);
+    if (!number) {
+        throw UsageError(fmt::format("{} {}: a number is written 17, 0x11 or 11h", option, text));
     }
-    return static_cast<std::uint8_t>(*number);
+    return *number;
+}
+
+std::uint8_t node_id_of(const Arguments& arguments) {
+    const std::uint32_t number = number_of(arguments, "--node-id");
+    if (number < 1 || number > facts::maximum_node_id) {
+        throw UsageError(fmt::format("--node-id {}: a node id is a number from 1 to {}",
+                                     arguments.value("--node-id"), facts::maximum_node_id));
+    }
+    return static_cast<std::uint8_t>(number);
 }
 
 std::uint16_t first_identifier_of(const Arguments& arguments) {
-    const std::string text = arguments.value("--identifiers-from");
-    const bool hexadecimal = text.starts_with("0x");
-    const auto number =
-        hexadecimal ? base::parse_integer(std::string_view(text).substr(2), 16) : base::parse_integer(text);
-    if (!number || *number < facts::first_free_identifier || *number > facts::last_free_identifier) {
-        throw UsageError(fmt::format("--identifiers-from {}: CiA 301 leaves 0x{:X} to 0x{:X} free", text,
-                                     facts::first_free_identifier, facts::last_free_identifier));
+    const std::uint32_t number = number_of(arguments, "--identifiers-from");
+    if (!facts::is_free_identifier(number)) {
+        throw UsageError(fmt::format("--identifiers-from {}: CiA 301 leaves 0x{:X} to 0x{:X} free",
+                                     arguments.value("--identifiers-from"), facts::first_free_identifier,
+                                     facts::last_free_identifier));
     }
     if (arguments.given("--keep-identifiers")) {
         throw UsageError(
             "--identifiers-from gives new identifiers, --keep-identifiers keeps them: one of both");
     }
-    return static_cast<std::uint16_t>(*number);
+    return static_cast<std::uint16_t>(number);
 }
 
 authoring::CloneRequest request_of(const Arguments& arguments) {

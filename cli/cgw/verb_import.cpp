@@ -12,8 +12,6 @@
 namespace cgw::cli {
 namespace {
 
-using parameter::Device;
-
 constexpr Option import_table_options[] = {
     {.names = "--governor",
      .value = "PATH",
@@ -38,14 +36,6 @@ constexpr std::string_view import_table_details =
     "read without doubt. The written file is then checked: a plant that is wrong as\n"
     "found is written, with its findings on standard error and exit code 1.\n";
 
-void note_absent(const driver::ReadTables& tables, const std::string& path, Device device,
-                 const parameter::Catalogue& catalogue) {
-    if (const std::string numbers = driver::absent_numbers(tables, device, catalogue); !numbers.empty()) {
-        fmt::print(stderr, "{}: note: not printed for the {}, taken as 0: {}\n", path,
-                   parameter::to_text(device), numbers);
-    }
-}
-
 int run_import_table(const Arguments& arguments) {
     const driver::TablePaths paths{arguments.value("--governor"), arguments.value("--gateway")};
     const std::string output = arguments.value("--output");
@@ -56,14 +46,15 @@ int run_import_table(const Arguments& arguments) {
     refuse_input_as_output(output, {paths.governor, paths.gateway});
     refuse_existing_output(arguments, output);
     const parameter::Catalogue catalogue(catalogue::shipped_rows());
-    const driver::ReadTables tables = driver::read_tables(paths, catalogue);
+    driver::ReadTables tables = driver::read_tables(paths, catalogue);
+    if (tables.valid()) {
+        driver::note_absent_rows(tables, paths, catalogue);
+    }
     const bool color = use_color(arguments, stderr);
     report_findings({tables.reports, tables.sources, color, {}});
     if (!tables.valid()) {
         return tables.unreadable ? exit_environment : exit_findings;
     }
-    note_absent(tables, paths.governor, Device::governor, catalogue);
-    note_absent(tables, paths.gateway, Device::gateway, catalogue);
     const std::string text = schema_line(output) + driver::text_of_tables(tables, paths, title, catalogue);
     if (const int written = write_text(output, text); written != exit_fine) {
         return written;

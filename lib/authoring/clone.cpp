@@ -16,9 +16,6 @@ namespace {
 namespace gateway = config::gateway;
 using parameter::Assignment;
 
-constexpr std::uint32_t node_bits = 0x7F;
-constexpr std::uint32_t base_bits = 0x780;
-
 // The text with what is to be replaced in it, by place.
 class Edits {
   public:
@@ -73,12 +70,14 @@ class Edits {
     std::vector<Edit> edits_;
 };
 
-// `value` in the notation of what stood there: hexadecimal with as many digits, or decimal.
+// `value` in the notation of what stood there: hexadecimal with as many digits, or decimal. TOML's other
+// spellings (0b1, 1_665, 0x6_81) become one of these.
 std::string in_notation_of(std::string_view literal, std::uint32_t value) {
     if (!literal.starts_with("0x")) {
         return fmt::format("{}", value);
     }
-    const std::size_t digits = literal.size() - 2;
+    const auto underscores = std::count(literal.begin(), literal.end(), '_');
+    const std::size_t digits = literal.size() - 2 - static_cast<std::size_t>(underscores);
     const bool is_lower = literal.find_first_of("abcdef", 2) != std::string_view::npos;
     return is_lower ? fmt::format("0x{:0{}x}", value, digits) : fmt::format("0x{:0{}X}", value, digits);
 }
@@ -101,8 +100,6 @@ void replace_title(Edits& edits, std::string_view text, const std::string& title
     }
 }
 
-constexpr int first_tpdo = facts::predefined_pdos + 1;
-
 // One identifier of TPDO5..16 and what the copy makes of it.
 struct Identifier {
     const Assignment* assignment = nullptr;
@@ -115,13 +112,12 @@ struct Identifier {
 std::vector<Identifier> identifiers_of(const parameter::Settings& settings,
                                        const config::Configuration& configuration) {
     std::vector<Identifier> all;
-    for (int tpdo = first_tpdo; tpdo <= config::tpdo_count; ++tpdo) {
-        const auto number = static_cast<std::uint16_t>(gateway::tpdo_identifier + tpdo - first_tpdo);
+    for (int tpdo = gateway::first_tpdo_of_own_identifier; tpdo <= config::tpdo_count; ++tpdo) {
+        const std::uint16_t number = gateway::tpdo_identifier_of(tpdo);
         const Assignment* assignment = settings.gateway.find(number);
         if (assignment != nullptr && assignment->value != 0) {
             const std::uint32_t identifier = settings.gateway.integer(number);
-            const bool follows_node =
-                (identifier & node_bits) == configuration.node_id && (identifier & base_bits) != 0;
+            const bool follows_node = facts::cob::follows_node(identifier, configuration.node_id);
             all.push_back({assignment, tpdo, identifier, follows_node, configuration.tpdo(tpdo).active});
         }
     }
@@ -136,7 +132,7 @@ std::set<std::uint32_t> taken_identifiers(const std::vector<Identifier>& identif
         taken.insert(pdo.cob_id);
     }
     for (const Identifier& identifier : identifiers) {
-        taken.insert(identifier.follows_node ? (identifier.original & base_bits) | node_id
+        taken.insert(identifier.follows_node ? facts::cob::of_other_node(identifier.original, node_id)
                                              : identifier.original);
     }
     return taken;
@@ -168,7 +164,7 @@ void report_shared(const Identifier& identifier, const config::Configuration& co
 
 // Why `value` is none for the copy, or "".
 std::string why_not(std::uint32_t value, const std::set<std::uint32_t>& taken) {
-    if (value < facts::first_free_identifier || value > facts::last_free_identifier) {
+    if (!facts::is_free_identifier(value)) {
         return fmt::format("it is outside {:03X}h to {:03X}h, which CiA 301 leaves free",
                            facts::first_free_identifier, facts::last_free_identifier);
     }
@@ -184,7 +180,7 @@ void replace_identifiers(Edits& edits, const parameter::Settings& settings,
     for (const Identifier& identifier : identifiers) {
         if (identifier.follows_node) {
             replace_number(edits, *identifier.assignment,
-                           (identifier.original & base_bits) | request.node_id);
+                           facts::cob::of_other_node(identifier.original, request.node_id));
         } else if (identifier.active && !request.identifiers_from) {
             report_shared(identifier, configuration, taken, findings);
         } else if (identifier.active) {

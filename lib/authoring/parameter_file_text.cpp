@@ -36,9 +36,8 @@ std::string list_key(const Row& first) {
 }
 
 bool is_assignment(const Row& row) {
-    constexpr int words = config::words_per_pdo * (config::tpdo_count - config::first_analogue_tpdo + 1);
     return row.device == Device::governor && row.number >= config::governor::tpdo_assignment &&
-           row.number < config::governor::tpdo_assignment + words;
+           row.number <= config::governor::last_tpdo_assignment;
 }
 
 // "Speed, SpeedSetp, -": what an assigned number is called.

@@ -11,6 +11,7 @@
 #include "catalogue/row_checks.hpp"
 #include "catalogue/templates.hpp"
 #include "catalogue/values.hpp"
+#include "facts/gateway.hpp"
 
 namespace cgw::catalogue {
 
@@ -129,9 +130,10 @@ void check_shape(const Draft& draft, const Reporter& report) {
     }
 }
 
-// A switch and its type stand 4000 apart: a refused declaration of one leaves the other one's number usable.
+// A switch and its type stand a fixed distance apart: a refused declaration of one leaves the other one's
+// number usable.
 void put_partner(const Row& row, const Draft& draft, Catalogue& catalogue) {
-    constexpr std::uint16_t distance = 4000;
+    constexpr std::uint16_t distance = facts::assignment_to_type;
     Row partner;
     partner.device = row.device;
     partner.program = row.program;

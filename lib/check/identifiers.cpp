@@ -24,8 +24,6 @@ namespace cob = facts::cob;
 namespace gateway = config::gateway;
 namespace rules = diagnostic::rules;
 
-constexpr std::size_t first_free_tpdo = facts::predefined_pdos + 1;
-
 struct Reserved {
     std::uint16_t base;
     std::uint16_t parameter;            // that says whose node id is added; 0: nobody's
@@ -52,7 +50,8 @@ std::string free_identifier_help(const Context& context, const Pdo& pdo) {
     constexpr std::uint16_t count = facts::last_free_identifier - facts::first_free_identifier + 1;
     const auto& pdos = context.configuration.pdos;
     for (std::uint16_t step = 0; step < count; ++step) {
-        const auto offset = static_cast<std::uint16_t>(pdo.number - first_free_tpdo + step);
+        const auto offset =
+            static_cast<std::uint16_t>(pdo.number - gateway::first_tpdo_of_own_identifier + step);
         const auto candidate = static_cast<std::uint16_t>(facts::first_free_identifier + offset % count);
         if (std::none_of(pdos.begin(), pdos.end(), [&](const Pdo& p) { return p.cob_id == candidate; })) {
             return fmt::format("0x{:X} is free: write {} = 0x{:X}", candidate, identifier_parameter(pdo),
@@ -71,8 +70,7 @@ std::optional<Diagnostic> judge_absent(const Context& context, const Pdo& pdo) {
         "{} is active, but {} is not set; without it the identifier is 000h, reserved for NMT "
         "commands (manual 7.3)",
         pdo_name(pdo), identifier_label(context, pdo));
-    const auto cycle =
-        static_cast<std::uint16_t>(config::governor::tpdo_cycle + pdo.number - config::first_analogue_tpdo);
+    const std::uint16_t cycle = config::governor::tpdo_cycle_of(pdo.number);
     if (const Assignment* assignment = usable(context, Device::governor, cycle)) {
         finding.related = {here(*assignment)};
     }
@@ -162,7 +160,7 @@ void report(const Context& context, const diagnostic::Rule& rule) {
 }  // namespace
 
 std::uint16_t identifier_parameter(const Pdo& pdo) {
-    return static_cast<std::uint16_t>(gateway::tpdo_identifier + (pdo.number - first_free_tpdo));
+    return gateway::tpdo_identifier_of(pdo.number);
 }
 
 Diagnostic finding_at(const Context& context, const Pdo& pdo, const diagnostic::Rule& rule) {

@@ -19,8 +19,7 @@ namespace governor = config::governor;
 namespace rules = diagnostic::rules;
 
 const Assignment* canopen_type(const Context& context, std::uint16_t number) {
-    const Assignment* type =
-        usable(context, Device::governor, static_cast<std::uint16_t>(number + governor::type_offset));
+    const Assignment* type = usable(context, Device::governor, governor::type_of(number));
     return type != nullptr && type->value == governor::canopen_type ? type : nullptr;
 }
 

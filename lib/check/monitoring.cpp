@@ -23,10 +23,6 @@ namespace governor = config::governor;
 namespace gateway = config::gateway;
 namespace rules = diagnostic::rules;
 
-std::uint16_t monitoring_parameter(const config::Pdo& pdo) {
-    return static_cast<std::uint16_t>(governor::rpdo_monitoring + pdo.number - 1);
-}
-
 std::string help_for_early(const Watch& watch) {
     const std::optional<config::CyclicTime> next =
         config::next_time_that_works(watch.time, watch.main_cycle_us, watch.most_cycles);
@@ -46,7 +42,7 @@ const Assignment* first_input(const Context& context, int rpdo) {
         return usable(context, Device::governor, configuration.switches.front().row->number);
     }
     for (const config::Sensor& sensor : configuration.sensors) {
-        if (rpdo == 1 || (sensor.channel - 1) / config::words_per_pdo + 2 == rpdo) {
+        if (rpdo == 1 || facts::rpdo_of_channel(sensor.channel) == rpdo) {
             return usable(context, Device::governor, sensor.row->number);
         }
     }
@@ -58,8 +54,8 @@ bool inputs_in_doubt(const Context& context) {
     for (const auto& [first, last] : {std::pair{governor::engine_stop, governor::last_switch},
                                       std::pair{governor::first_sensor, governor::last_sensor}}) {
         for (std::uint16_t number = first; number <= last; ++number) {
-            const auto type = static_cast<std::uint16_t>(number + governor::type_offset);
-            if (context.settings.governor.rejected(number) || context.settings.governor.rejected(type)) {
+            if (context.settings.governor.rejected(number) ||
+                context.settings.governor.rejected(governor::type_of(number))) {
                 return true;
             }
         }
@@ -83,7 +79,7 @@ std::vector<Watch> watches(const Context& context) {
     for (int number = 1; number <= config::rpdo_count; ++number) {
         const config::Pdo& pdo = configuration.rpdo(number);
         all.push_back({.device = Device::governor,
-                       .number = monitoring_parameter(pdo),
+                       .number = governor::rpdo_monitoring_of(number),
                        .time = pdo.time,
                        .main_cycle_us = configuration.main_cycle_us,
                        .most_cycles = config::maximum_governor_cycles,
@@ -147,7 +143,7 @@ void check_unmonitored_rpdos(const Context& context) {
             continue;
         }
         const Assignment* typed = usable(context, watch.device, watch.number);
-        const Assignment* input = first_input(context, watch.number - governor::rpdo_monitoring + 1);
+        const Assignment* input = first_input(context, governor::rpdo_of_monitoring(watch.number));
         const Assignment* place = typed != nullptr ? typed : input;
         context.findings.report(
             {.rule = &rules::rpdo_unmonitored,
@@ -168,18 +164,18 @@ void check_inactive_monitoring(const Context& context) {
             assignment->value == 0 || inputs_in_doubt(context)) {
             continue;
         }
-        const int rpdo = watch.number - governor::rpdo_monitoring + 1;
-        const int last_channel = (rpdo - 1) * config::words_per_pdo;
+        const int rpdo = governor::rpdo_of_monitoring(watch.number);
         context.findings.report(
             {.rule = &rules::rpdo_inactive_monitored,
-             .message = rpdo == 1
-                            ? fmt::format("{} is {} ms, but RPDO1 is not active: no switch function and no "
-                                          "sensor comes over CANopen (manual 7.1.5)",
-                                          label(context, watch.device, watch.number), watch.time.asked_ms)
-                            : fmt::format("{} is {} ms, but RPDO{} is not active: no sensor uses one of its "
-                                          "channels {} to {} (manual 7.1.5)",
-                                          label(context, watch.device, watch.number), watch.time.asked_ms,
-                                          rpdo, last_channel - config::words_per_pdo + 1, last_channel),
+             .message =
+                 rpdo == 1
+                     ? fmt::format("{} is {} ms, but RPDO1 is not active: no switch function and no "
+                                   "sensor comes over CANopen (manual 7.1.5)",
+                                   label(context, watch.device, watch.number), watch.time.asked_ms)
+                     : fmt::format("{} is {} ms, but RPDO{} is not active: no sensor uses one of its "
+                                   "channels {} to {} (manual 7.1.5)",
+                                   label(context, watch.device, watch.number), watch.time.asked_ms, rpdo,
+                                   facts::first_channel_of_rpdo(rpdo), facts::last_channel_of_rpdo(rpdo)),
              .where = assignment->where,
              .help = fmt::format("write {} = 0, or assign what the RPDO carries", watch.number)});
     }

@@ -16,17 +16,11 @@ using parameter::Row;
 namespace governor = config::governor;
 namespace rules = diagnostic::rules;
 
-constexpr int assignment_count =
-    config::words_per_pdo * (config::tpdo_count - config::first_analogue_tpdo + 1);
-constexpr std::uint16_t first_error_bit = facts::first_error_number;  // TPDO1 and 2 carry these
-constexpr std::uint16_t last_error_bit = 3095;
-
 // Calls `judge` with every assigned number that cannot be sent, and its row or nullptr.
 void for_each_refused(const Context& context,
                       void (*judge)(const Context&, const Assignment&, std::uint16_t, const Row*)) {
-    for (int offset = 0; offset < assignment_count; ++offset) {
-        const Assignment* assignment =
-            usable(context, Device::governor, static_cast<std::uint16_t>(governor::tpdo_assignment + offset));
+    for (std::uint16_t word = governor::tpdo_assignment; word <= governor::last_tpdo_assignment; ++word) {
+        const Assignment* assignment = usable(context, Device::governor, word);
         if (assignment == nullptr || assignment->value < 1 || assignment->value > UINT16_MAX) {
             continue;
         }
@@ -79,7 +73,7 @@ void judge_bit(const Context& context, const Assignment& assignment, std::uint16
         .message = fmt::format("{} is {}, a single bit, which a TPDO cannot carry (manual 4.1.2)",
                                parameter::label(*assignment.row), parameter::label(*row)),
         .where = assignment.where};
-    if (number >= first_error_bit && number <= last_error_bit) {
+    if (facts::is_error_number(number)) {
         finding.help =
             fmt::format("error bits travel in TPDO1 and TPDO2: write {} = 1", governor::send_errors);
     }

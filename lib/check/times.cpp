@@ -23,13 +23,13 @@ namespace rules = diagnostic::rules;
 
 struct TimeRange {
     std::uint16_t first;
-    int count;
+    std::uint16_t last;
     std::string_view section;
 };
 
 constexpr TimeRange time_ranges[] = {
-    {governor::tpdo_cycle, config::tpdo_count - config::first_analogue_tpdo + 1, "7.1.3"},
-    {governor::rpdo_monitoring, config::rpdo_count, "7.1.5"},
+    {governor::tpdo_cycle, governor::last_tpdo_cycle, "7.1.3"},
+    {governor::rpdo_monitoring, governor::last_rpdo_monitoring, "7.1.5"},
 };
 
 void check_time(const Context& context, std::uint16_t number, std::string_view section) {
@@ -63,8 +63,8 @@ std::string_view section_of(Device device, std::uint16_t number) {
 
 void check_times(const Context& context) {
     for (const TimeRange& range : time_ranges) {
-        for (int offset = 0; offset < range.count; ++offset) {
-            check_time(context, static_cast<std::uint16_t>(range.first + offset), range.section);
+        for (std::uint16_t number = range.first; number <= range.last; ++number) {
+            check_time(context, number, range.section);
         }
     }
 }

@@ -18,18 +18,9 @@ using parameter::Device;
 namespace governor = config::governor;
 namespace rules = diagnostic::rules;
 
-std::uint16_t first_word(int tpdo) {
-    return static_cast<std::uint16_t>(governor::tpdo_assignment +
-                                      config::words_per_pdo * (tpdo - config::first_analogue_tpdo));
-}
-
-std::uint16_t cycle_parameter(int tpdo) {
-    return static_cast<std::uint16_t>(governor::tpdo_cycle + tpdo - config::first_analogue_tpdo);
-}
-
 bool nothing_assigned(const Context& context, int tpdo) {
-    for (std::uint16_t word = 0; word < config::words_per_pdo; ++word) {
-        if (!is_off(context, Device::governor, static_cast<std::uint16_t>(first_word(tpdo) + word))) {
+    for (int word = 1; word <= config::words_per_pdo; ++word) {
+        if (!is_off(context, Device::governor, governor::tpdo_assignment_of(tpdo, word))) {
             return false;
         }
     }
@@ -37,9 +28,9 @@ bool nothing_assigned(const Context& context, int tpdo) {
 }
 
 const Assignment* first_assigned(const Context& context, int tpdo) {
-    for (std::uint16_t word = 0; word < config::words_per_pdo; ++word) {
+    for (int word = 1; word <= config::words_per_pdo; ++word) {
         const Assignment* assignment =
-            sound(context, Device::governor, static_cast<std::uint16_t>(first_word(tpdo) + word));
+            sound(context, Device::governor, governor::tpdo_assignment_of(tpdo, word));
         if (assignment != nullptr && assignment->value != 0) {
             return assignment;
         }
@@ -92,25 +83,25 @@ void report_closed_up(const Context& context, int tpdo) {
 
 void check_empty_tpdos(const Context& context) {
     for (int tpdo = config::first_analogue_tpdo; tpdo <= config::tpdo_count; ++tpdo) {
-        const Assignment* cycle = sound(context, Device::governor, cycle_parameter(tpdo));
+        const Assignment* cycle = sound(context, Device::governor, governor::tpdo_cycle_of(tpdo));
         if (cycle == nullptr || cycle->value == 0 || !nothing_assigned(context, tpdo)) {
             continue;
         }
+        const std::uint16_t first = governor::tpdo_assignment_of(tpdo, 1);
         context.findings.report(
             {.rule = &rules::tpdo_empty,
              .message = fmt::format("{} is {}, but TPDO{} has nothing to send: {} to {} are 0 "
                                     "(manual 7.1.2.2)",
-                                    parameter::label(*cycle->row), quantity(*cycle), tpdo, first_word(tpdo),
-                                    first_word(tpdo) + config::words_per_pdo - 1),
+                                    parameter::label(*cycle->row), quantity(*cycle), tpdo, first,
+                                    governor::tpdo_assignment_of(tpdo, config::words_per_pdo)),
              .where = cycle->where,
-             .help = fmt::format("assign a measurement to {}, or write {} = 0", first_word(tpdo),
-                                 cycle->row->number)});
+             .help = fmt::format("assign a measurement to {}, or write {} = 0", first, cycle->row->number)});
     }
 }
 
 void check_unsent_tpdos(const Context& context) {
     for (int tpdo = config::first_analogue_tpdo; tpdo <= config::tpdo_count; ++tpdo) {
-        const std::uint16_t number = cycle_parameter(tpdo);
+        const std::uint16_t number = governor::tpdo_cycle_of(tpdo);
         const Assignment* word = first_assigned(context, tpdo);
         if (word == nullptr || !is_off(context, Device::governor, number)) {
             continue;

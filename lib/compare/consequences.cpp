@@ -54,9 +54,9 @@ Inputs switches_of(const Configuration& configuration) {
 Inputs sensors_of(const Configuration& configuration) {
     Inputs inputs;
     for (const config::Sensor& sensor : configuration.sensors) {
-        const int channel = sensor.channel - 1;
         inputs[sensor.row->number] = {parameter::label(*sensor.row),
-                                      fmt::format("RPDO{} word {}", 2 + channel / 4, channel % 4 + 1)};
+                                      fmt::format("RPDO{} word {}", facts::rpdo_of_channel(sensor.channel),
+                                                  facts::word_of_channel(sensor.channel))};
     }
     return inputs;
 }

@@ -74,7 +74,9 @@ struct Pdo {
     CyclicTime time;                  // cycle (TPDO4..16) or monitoring (RPDO); zero for TPDO1..3
     std::vector<MappedWord> mapping;  // empty when inactive
 
-    std::uint8_t length() const { return static_cast<std::uint8_t>(2 * mapping.size()); }  // bytes
+    std::uint8_t length() const {
+        return static_cast<std::uint8_t>(facts::word_bytes * mapping.size());
+    }  // bytes
 };
 
 // A switch function carried by RPDO1 word 1 (D27): type 3 and a bit number in ±1..16.
@@ -124,7 +126,7 @@ struct Configuration {
     std::uint8_t governor_node_in_gateway = 0;  // gateway 402
     std::uint32_t governor_start_up_delay_ms = 0;
     std::uint32_t gateway_start_up_delay_ms = 0;
-    std::uint32_t main_cycle_us = 15625;
+    std::uint32_t main_cycle_us = facts::usual_governor_main_cycle_us;
     BusTiming governor_can;
     BusTiming can1;
 
@@ -136,9 +138,9 @@ struct Configuration {
     CyclicTime heartbeat_consumer;
     parameter::Identity identity;
 
-    bool send_errors = false;  // TPDO1 and 2
-    bool send_status = false;  // TPDO3
-    std::array<Pdo, 20> pdos;  // TPDO1..16, RPDO1..4
+    bool send_errors = false;                // TPDO1 and 2
+    bool send_status = false;                // TPDO3
+    std::array<Pdo, facts::pdo_count> pdos;  // TPDO1..16, RPDO1..4
     std::vector<AnalogueOutput> analogue_outputs;
     std::vector<SwitchFunction> switches;  // ascending number
     std::vector<Sensor> sensors;           // ascending number
@@ -149,7 +151,9 @@ struct Configuration {
     std::vector<Decision> decisions;
 
     const Pdo& tpdo(int number) const { return pdos[static_cast<std::size_t>(number - 1)]; }
-    const Pdo& rpdo(int number) const { return pdos[15 + static_cast<std::size_t>(number)]; }
+    const Pdo& rpdo(int number) const {
+        return pdos[static_cast<std::size_t>(facts::tpdo_count + number - 1)];
+    }
 };
 
 Configuration resolve(const parameter::Settings& settings, const parameter::Catalogue& catalogue);

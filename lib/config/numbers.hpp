@@ -18,16 +18,40 @@ inline constexpr std::uint16_t manual_timing = 4416;
 inline constexpr std::uint16_t gateway_communication = 4406;
 inline constexpr std::uint16_t send_errors = 14401;
 inline constexpr std::uint16_t send_status = 14402;
-inline constexpr std::uint16_t tpdo_assignment = 16400;  // 16400..16451: TPDO4..16, four words each
-inline constexpr std::uint16_t tpdo_cycle = 16460;       // 16460..16472: TPDO4..16
-inline constexpr std::uint16_t rpdo_monitoring = 16480;  // 16480..16483: RPDO1..4
+// 16400..16451: TPDO4..16, four words each
+inline constexpr std::uint16_t tpdo_assignment = 16400;
+inline constexpr std::uint16_t last_tpdo_assignment = tpdo_assignment + facts::maximum_outputs - 1;
+constexpr std::uint16_t tpdo_assignment_of(int tpdo, int word) {  // 1..4
+    return static_cast<std::uint16_t>(tpdo_assignment +
+                                      facts::words_per_pdo * (tpdo - facts::first_analogue_tpdo) + word - 1);
+}
+// 16460..16472: TPDO4..16
+inline constexpr std::uint16_t tpdo_cycle = 16460;
+inline constexpr std::uint16_t last_tpdo_cycle = tpdo_cycle + facts::analogue_tpdos - 1;
+constexpr std::uint16_t tpdo_cycle_of(int tpdo) {
+    return static_cast<std::uint16_t>(tpdo_cycle + tpdo - facts::first_analogue_tpdo);
+}
+// 16480..16483: RPDO1..4
+inline constexpr std::uint16_t rpdo_monitoring = 16480;
+inline constexpr std::uint16_t last_rpdo_monitoring = rpdo_monitoring + facts::rpdo_count - 1;
+constexpr std::uint16_t rpdo_monitoring_of(int rpdo) {
+    return static_cast<std::uint16_t>(rpdo_monitoring + rpdo - 1);
+}
+constexpr int rpdo_of_monitoring(std::uint16_t number) {
+    return number - rpdo_monitoring + 1;
+}
 inline constexpr std::uint16_t engine_stop = 810;
 inline constexpr std::uint16_t first_switch = 811;
 inline constexpr std::uint16_t last_switch = 849;
 inline constexpr std::uint16_t first_sensor = 900;
 inline constexpr std::uint16_t last_sensor = 929;
-inline constexpr std::uint16_t type_offset = 4000;  // 8nn → 48nn, 9nn → 49nn
-inline constexpr std::uint16_t canopen_type = 3;    // value of 48nn/49nn: comes over CANopen
+inline constexpr std::uint16_t canopen_type = 3;             // value of 48nn/49nn: comes over CANopen
+constexpr std::uint16_t type_of(std::uint16_t assignment) {  // 8nn → 48nn, 9nn → 49nn
+    return static_cast<std::uint16_t>(assignment + facts::assignment_to_type);
+}
+constexpr std::uint16_t assignment_of(std::uint16_t type) {
+    return static_cast<std::uint16_t>(type - facts::assignment_to_type);
+}
 }  // namespace governor
 
 namespace gateway {
@@ -45,7 +69,13 @@ inline constexpr std::uint16_t heartbeat_consumer = 430;
 inline constexpr std::uint16_t governor_communication = 4400;
 inline constexpr std::uint16_t hzm_manual_timing = 4416;
 inline constexpr std::uint16_t canopen_manual_timing = 4426;
-inline constexpr std::uint16_t tpdo_identifier = 16404;  // 16404..16415: TPDO5..16
+// 16404..16415: TPDO5..16
+inline constexpr int first_tpdo_of_own_identifier = facts::predefined_pdos + 1;
+inline constexpr std::uint16_t tpdo_identifier = 16404;
+constexpr std::uint16_t tpdo_identifier_of(int tpdo) {
+    return static_cast<std::uint16_t>(tpdo_identifier + tpdo - first_tpdo_of_own_identifier);
+}
+inline constexpr std::uint16_t last_tpdo_identifier = tpdo_identifier_of(facts::tpdo_count);
 }  // namespace gateway
 
 inline constexpr std::uint32_t longest_time_ms = 65535;  // what the time parameters can hold (D17)

@@ -12,8 +12,7 @@ namespace cgw::config {
 namespace {
 
 bool comes_over_canopen(const parameter::ParameterSet& set, std::uint16_t number) {
-    const auto type = static_cast<std::uint16_t>(number + governor::type_offset);
-    return set.value(type) == governor::canopen_type;
+    return set.value(governor::type_of(number)) == governor::canopen_type;
 }
 
 void collect_switches(const parameter::ParameterSet& set, Configuration& configuration) {
@@ -97,8 +96,7 @@ void resolve_receive_pdos(const parameter::Settings& settings, Configuration& co
         pdo.number = static_cast<std::uint8_t>(number);
         pdo.cob_id = predefined_identifier(rpdo_identifier_bases[static_cast<std::size_t>(number - 1)],
                                            configuration.node_id);
-        const auto monitoring = static_cast<std::uint16_t>(governor::rpdo_monitoring + number - 1);
-        pdo.time = resolve_time(settings, parameter::Device::governor, monitoring,
+        pdo.time = resolve_time(settings, parameter::Device::governor, governor::rpdo_monitoring_of(number),
                                 configuration.main_cycle_us, pdo.number, configuration);
         if (number == 1) {
             map_binary(pdo, configuration);

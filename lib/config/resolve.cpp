@@ -7,20 +7,17 @@ namespace cgw::config {
 
 namespace {
 
-constexpr std::int32_t highest_hzm_node = 31;
-constexpr std::int32_t highest_node_id = 127;
-
 void resolve_nodes(const parameter::Settings& settings, Configuration& configuration) {
     const auto hzm_node = [](const parameter::ParameterSet& set, std::uint16_t number) {
-        return setting<std::uint8_t>(set, number, highest_hzm_node);
+        return setting<std::uint8_t>(set, number, facts::maximum_hzm_node);
     };
     configuration.governor_node = hzm_node(settings.governor, governor::own_node);
     configuration.gateway_node_in_governor = hzm_node(settings.governor, governor::gateway_node);
     configuration.gateway_node = hzm_node(settings.gateway, gateway::own_node);
     configuration.governor_node_in_gateway = hzm_node(settings.gateway, gateway::governor_node);
-    configuration.node_id = setting<std::uint8_t>(settings.gateway, gateway::node_id, highest_node_id);
+    configuration.node_id = setting<std::uint8_t>(settings.gateway, gateway::node_id, facts::maximum_node_id);
     configuration.partner_node_id =
-        setting<std::uint8_t>(settings.gateway, gateway::partner_node_id, highest_node_id);
+        setting<std::uint8_t>(settings.gateway, gateway::partner_node_id, facts::maximum_node_id);
 }
 
 }  // namespace

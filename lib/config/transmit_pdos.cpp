@@ -9,7 +9,6 @@ namespace cgw::config {
 
 namespace {
 
-constexpr std::int32_t highest_identifier = 0x7FF;
 constexpr std::int32_t highest_parameter_number = 65535;
 
 // What is typed into the four words of one TPDO.
@@ -47,10 +46,9 @@ void set_identifier(const parameter::Settings& settings, Configuration& configur
         pdo.cob_id = predefined_identifier(tpdo_identifier_bases[pdo.number - 1U], configuration.node_id);
         return;
     }
-    const auto offset = pdo.number - (tpdo_identifier_bases.size() + 1);
     pdo.cob_id_source = CobIdSource::parameter;
-    pdo.cob_id = setting<std::uint16_t>(
-        settings.gateway, static_cast<std::uint16_t>(gateway::tpdo_identifier + offset), highest_identifier);
+    pdo.cob_id = setting<std::uint16_t>(settings.gateway, gateway::tpdo_identifier_of(pdo.number),
+                                        facts::cob::highest);
 }
 
 void resolve_binary(const BinaryPdo& binary, Configuration& configuration) {
@@ -64,12 +62,11 @@ void resolve_binary(const BinaryPdo& binary, Configuration& configuration) {
 std::vector<TypedWord> typed_words(const parameter::Settings& settings, const parameter::Catalogue& catalogue,
                                    int tpdo_number) {
     std::vector<TypedWord> words;
-    for (std::uint16_t word = 0; word < words_per_pdo; ++word) {
-        const auto number = static_cast<std::uint16_t>(
-            governor::tpdo_assignment + words_per_pdo * (tpdo_number - first_analogue_tpdo) + word);
+    for (std::uint8_t word = 1; word <= words_per_pdo; ++word) {
+        const std::uint16_t number = governor::tpdo_assignment_of(tpdo_number, word);
         const auto typed = setting<std::uint16_t>(settings.governor, number, highest_parameter_number);
         words.push_back({.setting = number,
-                         .position = static_cast<std::uint8_t>(word + 1),
+                         .position = word,
                          .number = typed,
                          .row = typed == 0 ? nullptr : catalogue.find(parameter::Device::governor, typed)});
     }
@@ -120,9 +117,8 @@ void map_analogue_word(const parameter::Row& row, Pdo& pdo, OutputCounters& coun
 
 void resolve_analogue(const parameter::Settings& settings, const parameter::Catalogue& catalogue, Pdo& pdo,
                       OutputCounters& counters, Configuration& configuration) {
-    const auto cycle = static_cast<std::uint16_t>(governor::tpdo_cycle + (pdo.number - first_analogue_tpdo));
-    pdo.time = resolve_time(settings, parameter::Device::governor, cycle, configuration.main_cycle_us,
-                            pdo.number, configuration);
+    pdo.time = resolve_time(settings, parameter::Device::governor, governor::tpdo_cycle_of(pdo.number),
+                            configuration.main_cycle_us, pdo.number, configuration);
     if (pdo.time.asked_ms == 0) {
         return;
     }

@@ -56,7 +56,7 @@ void write_physical_location(JsonWriter& json, const Location& where, Utf16Colum
 
 void write_help(JsonWriter& json, const Rule& rule) {
     const std::string source = rule.reference.empty() ? "" : fmt::format("Source: {}\n", rule.reference);
-    if (rule.bad.empty()) {
+    if (rule.example == Example::none) {
         if (!source.empty()) {
             write_text(json, "help", source);
         }
@@ -65,8 +65,8 @@ void write_help(JsonWriter& json, const Rule& rule) {
     json.key("help").begin_object();
     json.key("text").string(fmt::format("Wrong:\n{}\nRight:\n{}\n{}", rule.bad, rule.good, source));
     json.key("markdown")
-        .string(fmt::format("Wrong:\n\n```toml\n{}```\n\nRight:\n\n```toml\n{}```\n\n{}", rule.bad, rule.good,
-                            source));
+        .string(fmt::format("Wrong:\n\n```{0}\n{1}```\n\nRight:\n\n```{0}\n{2}```\n\n{3}",
+                            language_of(rule.example), rule.bad, rule.good, source));
     json.end_object();
 }
 

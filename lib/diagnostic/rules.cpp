@@ -14,6 +14,20 @@ std::string_view to_text(Level level) {
     return "";
 }
 
+std::string_view language_of(Example example) {
+    switch (example) {
+        case Example::none:
+            return "";
+        case Example::parameter_file:
+        case Example::copied_file:
+            return "toml";
+        case Example::table:
+        case Example::table_rows:
+            return "text";
+    }
+    return "";
+}
+
 namespace {
 
 using namespace rules;
@@ -85,8 +99,9 @@ const Rule* const table[] = {
     &table_unit,
     &table_of_other_device,
     &table_empty,
-    &table_measurement,
+    &table_row_skipped,
     &clone_identifier,
+    &table_row_absent,
 };
 
 }  // namespace

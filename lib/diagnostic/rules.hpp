@@ -13,6 +13,18 @@ enum class Level { error, warning, note };
 
 std::string_view to_text(Level level);  // "error", "warning", "note"
 
+// What the two examples of a rule are.
+enum class Example {
+    none,            // nothing printed can break the rule; both are empty
+    parameter_file,  // lines of a parameter file, to be read on top of a valid one
+    copied_file,     // the same, of a file that is then copied
+    table,           // a whole printed table of the governor
+    table_rows,      // rows of one, on top of a table that prints every row of concern
+};
+
+// The language of such an example, as Markdown names it behind a fence: "toml", "text".
+std::string_view language_of(Example example);
+
 struct Rule {
     std::string_view code;  // E0203
     std::string_view name;  // node-id-duplicate
@@ -21,10 +33,10 @@ struct Rule {
     std::string_view reference;  // manual section or ruling: "GWM 7.3, D33"
     std::string_view why;        // what it means for the plant, one to three sentences
 
-    // The rule broken and kept: lines of a parameter file below their table headers, to be read on top of
-    // a valid file. A line replaces the one with its key, `# 427 = 5` takes that one away, other lines are
-    // added. Empty for the three rules that no printed text can break. Of the rules about printed tables
-    // (E0501 to E0507): whole tables.
+    // The rule broken and kept. Lines of a parameter file stand below their table headers. A line read on top
+    // of a file or table replaces the one with its key or number, one behind `# ` takes that one away
+    // (`# 427 = 5`, `# 4406;`), other lines are added.
+    Example example = Example::parameter_file;
     std::string_view bad;
     std::string_view good;
 };
@@ -110,8 +122,9 @@ CGW_RULE(table_ellipsis);
 CGW_RULE(table_unit);
 CGW_RULE(table_of_other_device);
 CGW_RULE(table_empty);
-CGW_RULE(table_measurement);
+CGW_RULE(table_row_skipped);
 CGW_RULE(clone_identifier);
+CGW_RULE(table_row_absent);
 
 #undef CGW_RULE
 

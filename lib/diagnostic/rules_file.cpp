@@ -12,6 +12,7 @@ const Rule file_unreadable{
     .why =
         "Nothing can be said about a file that cannot be read. The message gives the reason of the "
         "operating system: most often a name typed wrong, or the wrong directory.",
+    .example = Example::none,
     .bad = "",
     .good = ""};
 const Rule file_too_large{
@@ -23,6 +24,7 @@ const Rule file_too_large{
     .why =
         "A complete parameter file has some kilobytes. One of several megabytes is something else, given "
         "by mistake, and is not worth the memory it would take.",
+    .example = Example::none,
     .bad = "",
     .good = ""};
 const Rule file_not_utf8{
@@ -35,6 +37,7 @@ const Rule file_not_utf8{
         "Older editors save letters with dots and accents in the code page of one country, and the next "
         "computer "
         "shows something else. Save the file as UTF-8; plain English text is UTF-8 already.",
+    .example = Example::none,
     .bad = "",
     .good = ""};
 const Rule toml_syntax{

@@ -1,4 +1,4 @@
-// E05: printed tables read in, files copied. Of a rule about tables `bad` and `good` are whole tables.
+// E05: printed tables read in, files copied.
 #include "diagnostic/rules.hpp"
 
 namespace cgw::diagnostic::rules {
@@ -13,6 +13,7 @@ const Rule table_row{
         "A line that is nearly a row cannot be passed over: its parameter would be 0 in the file, and "
         "switched off in the device. So is a line that has something before the number, and a row in blanks "
         "whose name is not known: 902 Sensor 2 may end its name or hold the value 2.",
+    .example = Example::table,
     .bad =
         "Number;Parameter;Value;Unit\n"
         "401;CanMyNodeNumber;1;\n"
@@ -32,6 +33,7 @@ const Rule table_value_ambiguous{
         "columns of values, old and new, one is not meant. Each reading makes a plant that starts, and one "
         "of "
         "them is wrong.",
+    .example = Example::table,
     .bad =
         "Number;Parameter;Value;Unit\n"
         "16480;CanOpRPDO1-4Cyc(0);1.000;ms\n",
@@ -47,6 +49,7 @@ const Rule table_ellipsis{
     .why =
         "Dots say that rows were left out, and not what they hold. A TPDO assigned in one of them would "
         "disappear without a word.",
+    .example = Example::table,
     .bad =
         "Number;Parameter;Value;Unit\n"
         "16404;CanOpTPDO5Assign(0);0;\n"
@@ -65,6 +68,7 @@ const Rule table_unit{
     .why =
         "A time of 1 s is not one of 1 ms, and 1000 Hex is no time at all. Values are read as they stand and "
         "never converted, so that the file shows what DcDesk shows.",
+    .example = Example::table,
     .bad =
         "Number;Parameter;Value;Unit\n"
         "16480;CanOpRPDO1-4Cyc(0);1;s\n",
@@ -80,6 +84,7 @@ const Rule table_of_other_device{
     .why =
         "Numbers mean different things in the two devices: 16404 is what TPDO5 carries in the governor and "
         "the identifier of TPDO5 in the gateway.",
+    .example = Example::table,
     .bad =
         "Number;Parameter;Value;Unit\n"
         "401;CanMyNodeNumber;1;\n"
@@ -99,13 +104,14 @@ const Rule table_empty{
     .why =
         "A file without a single row was most likely the wrong one, or its columns were lost when it was "
         "copied.",
+    .example = Example::table,
     .bad = "Number;Parameter;Value;Unit\n",
     .good =
         "Number;Parameter;Value;Unit\n"
         "401;CanMyNodeNumber;1;\n"};
-const Rule table_measurement{
+const Rule table_row_skipped{
     .code = "E0507",
-    .name = "table-measurement",
+    .name = "table-row-skipped",
     .level = Level::note,
     .summary = "rows that set nothing here are skipped: measurements, and what does not concern CANopen",
     .reference = "D16",
@@ -113,6 +119,7 @@ const Rule table_measurement{
         "A table printed from a running device holds measurements beside parameters. They belong to the "
         "moment of printing and not to the configuration. A print of a whole device also holds parameters "
         "that are not in the catalogue; a name or number that is nearly a known one is an error instead.",
+    .example = Example::table,
     .bad =
         "Number;Parameter;Value;Unit\n"
         "401;CanMyNodeNumber;1;\n"
@@ -129,17 +136,35 @@ const Rule clone_identifier{
     .why =
         "Identifiers of TPDO5 to 16 do not follow the node id. Two gateways that send under the same one "
         "destroy each other's telegrams, and the receivers take one engine's values for the other's.",
+    .example = Example::copied_file,
     .bad =
         "[governor.parameters]\n"
         "16404 = 2905                        # TPDO5\n"
-        "16461 = 200\n"
+        "16461 = 500\n"
         "[gateway.parameters]\n"
         "16404 = 0x6A5                       # not of the form 680h + node id: nobody can shift it\n",
     .good =
         "[governor.parameters]\n"
         "16404 = 2905\n"
-        "16461 = 200\n"
+        "16461 = 500\n"
         "[gateway.parameters]\n"
         "16404 = 0x681                       # 680h + 1 becomes 680h + the copy's node id\n"};
+const Rule table_row_absent{
+    .code = "E0509",
+    .name = "table-row-absent",
+    .level = Level::note,
+    .summary = "a table prints every parameter that concerns CANopen; one without a row counts as 0",
+    .reference = "GWM 7",
+    .why =
+        "The file leaves out what the table does not print, and that is 0, switched off. A print of one "
+        "page, "
+        "or of another user level, lacks rows that are not 0 in the device.",
+    .example = Example::table_rows,
+    .bad =
+        "Number;Parameter;Value;Unit\n"
+        "# 14401;CanOpenSendErrors;1;\n",
+    .good =
+        "Number;Parameter;Value;Unit\n"
+        "14401;CanOpenSendErrors;1;\n"};
 
 }  // namespace cgw::diagnostic::rules

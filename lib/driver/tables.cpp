@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <sstream>
 #include <utility>
@@ -135,6 +136,27 @@ std::string absent_numbers(const ReadTables& tables, Device device, const parame
     }
     close();
     return text;
+}
+
+void note_absent_rows(ReadTables& tables, const TablePaths& paths, const parameter::Catalogue& catalogue) {
+    for (const Device device : {Device::governor, Device::gateway}) {
+        const std::string numbers = absent_numbers(tables, device, catalogue);
+        if (numbers.empty()) {
+            continue;
+        }
+        const std::string& path = device == Device::governor ? paths.governor : paths.gateway;
+        auto report = std::find_if(tables.reports.begin(), tables.reports.end(),
+                                   [&](const diagnostic::FileReport& other) { return other.path == path; });
+        if (report == tables.reports.end()) {
+            report = tables.reports.insert(report, {path, {}, {}});
+        }
+        report->findings.push_back(
+            {&diagnostic::rules::table_row_absent,
+             fmt::format("not printed for the {}, taken as 0: {}", parameter::to_text(device), numbers),
+             {path, {}},
+             {},
+             "look whether these are 0 in the device"});
+    }
 }
 
 std::string text_of_tables(const ReadTables& tables, const TablePaths& paths, const std::string& title,

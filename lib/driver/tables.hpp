@@ -47,6 +47,9 @@ TableSide side_of_tables(const CheckedFile& file, const ReadTables& tables);
 std::string absent_numbers(const ReadTables& tables, parameter::Device device,
                            const parameter::Catalogue& catalogue);
 
+// Adds a note (E0509) to the report of each table that leaves out such numbers.
+void note_absent_rows(ReadTables& tables, const TablePaths& paths, const parameter::Catalogue& catalogue);
+
 // A parameter file with the values of both tables.
 std::string text_of_tables(const ReadTables& tables, const TablePaths& paths, const std::string& title,
                            const parameter::Catalogue& catalogue);

@@ -45,8 +45,6 @@ struct Range {
     std::uint16_t only_without = 0;  // this one is not 1
 };
 
-constexpr std::uint16_t last_assignment = governor::tpdo_cycle - 1;
-
 constexpr Range deciding[] = {
     {Device::governor, governor::start_up_delay, governor::gateway_node},
     {Device::governor, governor::prescaler, governor::bit_rate - 1, governor::manual_timing},
@@ -54,9 +52,9 @@ constexpr Range deciding[] = {
     {Device::governor, governor::gateway_communication, governor::gateway_communication},
     {Device::governor, governor::manual_timing, governor::manual_timing},
     {Device::governor, governor::send_errors, governor::send_status},
-    {Device::governor, governor::tpdo_assignment, last_assignment},
-    {Device::governor, governor::tpdo_cycle, governor::rpdo_monitoring - 1},
-    {Device::governor, governor::rpdo_monitoring, governor::rpdo_monitoring + config::rpdo_count - 1},
+    {Device::governor, governor::tpdo_assignment, governor::last_tpdo_assignment},
+    {Device::governor, governor::tpdo_cycle, governor::last_tpdo_cycle},
+    {Device::governor, governor::rpdo_monitoring, governor::last_rpdo_monitoring},
     {Device::gateway, gateway::start_up_delay, gateway::governor_node},
     {Device::gateway, gateway::hzm_prescaler, gateway::hzm_bit_rate - 1, gateway::hzm_manual_timing},
     {Device::gateway, gateway::hzm_bit_rate, gateway::hzm_bit_rate, 0, gateway::hzm_manual_timing},
@@ -68,7 +66,7 @@ constexpr Range deciding[] = {
     {Device::gateway, gateway::governor_communication, gateway::governor_communication},
     {Device::gateway, gateway::hzm_manual_timing, gateway::hzm_manual_timing},
     {Device::gateway, gateway::canopen_manual_timing, gateway::canopen_manual_timing},
-    {Device::gateway, gateway::tpdo_identifier, gateway::tpdo_identifier + 11},
+    {Device::gateway, gateway::tpdo_identifier, gateway::last_tpdo_identifier},
 };
 
 // 8nn of a 48nn and the reverse, 0 for other parameters.
@@ -78,10 +76,10 @@ std::uint16_t counterpart(const Row& row) {
             return 0;
         case Role::switch_assignment:
         case Role::sensor_assignment:
-            return static_cast<std::uint16_t>(row.number + governor::type_offset);
+            return governor::type_of(row.number);
         case Role::switch_type:
         case Role::sensor_type:
-            return static_cast<std::uint16_t>(row.number - governor::type_offset);
+            return governor::assignment_of(row.number);
     }
     return 0;
 }

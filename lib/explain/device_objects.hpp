@@ -17,10 +17,9 @@ class DeviceObjects {
 
     // Entries of 2001h and 2002h exist as far as a configuration fills them; up to 52 can (D24).
     bool has(std::uint16_t index, std::uint8_t sub) const {
-        constexpr std::uint8_t outputs = 52;
         const bool output =
             index == config::object::unsigned_outputs || index == config::object::signed_outputs;
-        return output ? sub <= outputs : dictionary_.find(index, sub) != nullptr;
+        return output ? sub <= facts::maximum_outputs : dictionary_.find(index, sub) != nullptr;
     }
 
   private:

@@ -10,6 +10,7 @@
 #include "base/utf8.hpp"
 #include "explain/entries.hpp"
 #include "explain/wording.hpp"
+#include "facts/gateway.hpp"
 
 namespace cgw::explain {
 
@@ -32,9 +33,6 @@ constexpr std::array forms{
 
 constexpr Device devices[] = {Device::governor, Device::gateway};
 constexpr Program programs[] = {Program::application, Program::bootloader};
-
-constexpr std::uint16_t first_error_bit = 3000;
-constexpr std::uint16_t last_error_bit = 3095;
 
 std::string quoted(std::string_view text) {
     constexpr std::size_t longest = 40;
@@ -78,12 +76,27 @@ Entry misprint_entry(const Row& row, std::uint16_t number, const Catalogue& cata
 }
 
 // D21: an error of the governor that our documents do not name.
-Entry nameless_error(std::uint16_t number) {
-    const unsigned bit = number - unsigned{first_error_bit};
-    Entry entry{"error", fmt::format("error {}", number), {}};
+void describe_nameless_error(Entry& entry, std::uint16_t number) {
+    const unsigned bit = number - unsigned{facts::first_error_number};
     entry.add("meaning", "no document names it, see the governor's own manual");
-    entry.add("seen in", fmt::format("bit {} of {}", bit % 16, object_text(0x2000, bit / 16 + 1)));
+    entry.add("seen in", fmt::format("bit {} of {}", bit % facts::word_bits,
+                                     object_text(facts::object::errors, bit / facts::word_bits + 1)));
     entry.add("source", "GWM 9.1, D21");
+}
+
+Entry nameless_error(std::uint16_t number) {
+    Entry entry{"error", fmt::format("error {}", number), {}};
+    describe_nameless_error(entry, number);
+    return entry;
+}
+
+Entry nameless_error_value(std::uint16_t number, std::uint32_t value) {
+    Entry entry{"value", fmt::format("error {} = {}", number, value), {}};
+    if (value <= 1) {
+        entry.add("this value", value == 0 ? "the error is not there" : "the error is there");
+    }
+    entry.add("range", fmt::format("{} 0..1", value <= 1 ? "within" : "outside"));
+    describe_nameless_error(entry, number);
     return entry;
 }
 
@@ -94,7 +107,7 @@ Answer explain_number(std::uint16_t number, const Catalogue& catalogue) {
             entries.push_back(misprint_entry(*row, number, catalogue));
         }
     }
-    if (entries.empty() && number >= first_error_bit && number <= last_error_bit) {
+    if (entries.empty() && facts::is_error_number(number)) {
         entries.push_back(nameless_error(number));
     }
     if (!entries.empty()) {
@@ -192,6 +205,10 @@ Answer explain_value(std::string_view left, std::string_view right, const Catalo
         return object_value_answer(*object, *value, catalogue);
     }
     const std::vector<const Row*> rows = rows_meant(left, catalogue);
+    const auto number = parse_parameter_number(left);
+    if (rows.empty() && number && facts::is_error_number(*number)) {
+        return explained({nameless_error_value(*number, *value)});
+    }
     if (rows.empty()) {
         return refused(fmt::format("nothing is known about {}", quoted(left)), did_you_mean(left, catalogue));
     }

@@ -27,9 +27,9 @@ parameter::Settings telling_settings(const Catalogue& catalogue) {
         {numbers::send_errors, 1},
         {numbers::send_status, 1},
         {numbers::first_switch, 1},
-        {numbers::first_switch + numbers::type_offset, numbers::canopen_type},
+        {numbers::type_of(numbers::first_switch), numbers::canopen_type},
         {numbers::first_sensor, config::sensor_channels},
-        {numbers::first_sensor + numbers::type_offset, numbers::canopen_type},
+        {numbers::type_of(numbers::first_sensor), numbers::canopen_type},
     };
     parameter::Settings settings;
     for (const Setting& setting : settings_of_governor) {

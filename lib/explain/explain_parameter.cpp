@@ -4,6 +4,7 @@
 
 #include "base/numbers.hpp"
 #include "catalogue/objects.hpp"
+#include "config/numbers.hpp"
 #include "explain/entries.hpp"
 #include "explain/text.hpp"
 #include "explain/wording.hpp"
@@ -119,15 +120,15 @@ std::string counterpart_text(const Row& row, const Catalogue& catalogue) {
 
 // 8nn and 48nn, 9nn and 49nn belong together.
 std::string partner_text(const Row& row, const Catalogue& catalogue) {
-    constexpr std::uint16_t distance = 4000;
     const bool assignment = row.role == Role::switch_assignment || row.role == Role::sensor_assignment;
     const bool type = row.role == Role::switch_type || row.role == Role::sensor_type;
     if (!assignment && !type) {
         return counterpart_text(row, catalogue);
     }
-    const int number = assignment ? row.number + distance : row.number - distance;
+    const std::uint16_t number =
+        assignment ? config::governor::type_of(row.number) : config::governor::assignment_of(row.number);
     return fmt::format(
-        "{}, {}", reference_text(static_cast<std::uint16_t>(number), row.device, row.program, catalogue),
+        "{}, {}", reference_text(number, row.device, row.program, catalogue),
         assignment ? "which says where it comes from" : "which says which input, bit or channel");
 }
 

@@ -23,11 +23,11 @@ struct TimeParameter {
 };
 
 // The governor's main cycle is the one that holds without an own one in the parameter file.
-constexpr std::uint32_t governor_cycle_us = 15625;
+constexpr std::uint32_t governor_cycle_us = facts::usual_governor_main_cycle_us;
 constexpr TimeParameter time_parameters[] = {
-    {Device::governor, config::governor::tpdo_cycle, config::governor::tpdo_cycle + 12, governor_cycle_us,
+    {Device::governor, config::governor::tpdo_cycle, config::governor::last_tpdo_cycle, governor_cycle_us,
      config::maximum_governor_cycles, false},
-    {Device::governor, config::governor::rpdo_monitoring, config::governor::rpdo_monitoring + 3,
+    {Device::governor, config::governor::rpdo_monitoring, config::governor::last_rpdo_monitoring,
      governor_cycle_us, config::maximum_governor_cycles, true},
     {Device::gateway, config::gateway::heartbeat_producer, config::gateway::heartbeat_producer,
      config::gateway_main_cycle_us, config::maximum_heartbeat_cycles, false},

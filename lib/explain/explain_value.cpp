@@ -8,6 +8,7 @@
 #include "explain/device_objects.hpp"
 #include "explain/entries.hpp"
 #include "explain/wording.hpp"
+#include "facts/communication.hpp"
 #include "object/vocabulary.hpp"
 
 namespace cgw::explain {
@@ -83,10 +84,9 @@ const NamedBit* find_bit(std::span<const NamedBit> bits, unsigned bit) {
 // --- words that are no bits: COB-IDs, mapping entries, the consumer heartbeat ---
 
 void add_cob_id(Entry& entry, std::uint32_t value) {
-    constexpr unsigned invalid = 31;
-    constexpr std::uint32_t identifier = 0x7FF;
-    entry.add("identifier", fmt::format("{:X}h ({})", value & identifier, value & identifier));
-    entry.add("active", is_set(value, invalid) ? "no, bit 31 is set" : "yes, bit 31 is 0");
+    const std::uint32_t identifier = value & facts::cob::highest;
+    entry.add("identifier", fmt::format("{:X}h ({})", identifier, identifier));
+    entry.add("active", (value & facts::pdo_not_valid) != 0 ? "no, bit 31 is set" : "yes, bit 31 is 0");
 }
 
 void add_mapping(Entry& entry, std::uint32_t value) {

@@ -13,6 +13,7 @@
 #include "explain/table.hpp"
 #include "explain/text.hpp"
 #include "explain/wording.hpp"
+#include "facts/gateway.hpp"
 
 namespace cgw::explain {
 
@@ -27,7 +28,7 @@ using parameter::Program;
 
 constexpr std::size_t heading_of_group = 2;
 
-// "D17" becomes a link to its ruling; in examples, which are indented by no one, it does not occur.
+// "D17" becomes a link to its ruling.
 std::string with_ruling_links(std::string_view text) {
     const auto is_word = [&](std::size_t at) {
         return at < text.size() && std::isalnum(static_cast<unsigned char>(text[at])) != 0;
@@ -77,13 +78,13 @@ std::string parameters_page(const Catalogue& catalogue) {
 
 // --- checks ---
 
-std::string example(std::string_view title, std::string_view text) {
-    return text.empty()
+std::string example(std::string_view title, diagnostic::Example kind, std::string_view text) {
+    return kind == diagnostic::Example::none
                ? ""
-               : fmt::format("{}:\n\n```toml\n{}{}```\n\n", title, text, text.ends_with('\n') ? "" : "\n");
+               : fmt::format("{}:\n\n```{}\n{}{}```\n\n", title, diagnostic::language_of(kind), text,
+                             text.ends_with('\n') ? "" : "\n");
 }
 
-// The lists of people and the sections below them name rules the same way.
 std::string rule_section(const Rule& rule) {
     std::string section = fmt::format("### {} {}\n\n", rule.code, rule.name);
     section += fmt::format("Demanded: {}.", rule.summary);
@@ -94,7 +95,7 @@ std::string rule_section(const Rule& rule) {
         }
         section += "\n";
     }
-    return section + example("Broken", rule.bad) + example("Kept", rule.good);
+    return section + example("Broken", rule.example, rule.bad) + example("Kept", rule.example, rule.good);
 }
 
 std::string lower_case(std::string_view text) {
@@ -124,7 +125,11 @@ std::string checks_page(const Catalogue&) {
         "CODE` prints\n"
         "one of them. Examples are lines on top of a file that is valid otherwise; a line replaces the one "
         "with its\n"
-        "key, and `# 427 = 5` stands for a line that is not there.\n\n";
+        "key, and `# 427 = 5` stands for a line that is not there. Those about printed tables (E0501 to "
+        "E0507) "
+        "are whole\n"
+        "tables, of E0509 rows of a table that is complete otherwise; that of E0508 is a file that is "
+        "copied.\n\n";
     std::string list = render_markdown(check_list(), heading_of_group);
     for (const Rule* rule : diagnostic::all_rules()) {
         list = replaced(list, fmt::format("| {} |", rule->code),
@@ -184,21 +189,19 @@ struct Part {
     bool (*holds)(const ErrorDescription& error);
 };
 
-constexpr std::uint16_t first_canopen_error = 12411;
-
 constexpr std::array error_parts{
     Part{"CANopen errors",
          "Both devices show them; their bits make up object 2005h, which a master reads by SDO. Each one "
          "sets\n"
          "3074 `ErrCanOpen` as well.",
-         [](const ErrorDescription& error) { return error.number >= first_canopen_error; }},
+         [](const ErrorDescription& error) { return error.number >= facts::first_canopen_error; }},
     Part{"Errors of the gateway",
          "Bits of 2000h:1..6. The counter of an error, 100 above it, is kept in the permanent error memory "
          "and\n"
          "changes nothing; the service tool clears it.",
          [](const ErrorDescription& error) {
              return error.program == Program::application && error.gateway &&
-                    error.number < first_canopen_error;
+                    error.number < facts::first_canopen_error;
          }},
     Part{"Errors of the governor",
          "Those that CANopen causes. Everything else is in your governor's own manual.",
@@ -212,7 +215,7 @@ constexpr std::array error_parts{
          [](const ErrorDescription& error) { return error.program == Program::bootloader; }},
 };
 
-// What 3800 and 3095 of the bootloader say, and the pages of 3099.
+// What 3095 and 3800 of the bootloader say.
 std::string values_section(const Catalogue& catalogue) {
     std::string section;
     for (const std::uint16_t number : {std::uint16_t{3095}, std::uint16_t{3800}}) {

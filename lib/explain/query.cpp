@@ -45,6 +45,7 @@ std::optional<ObjectName> make_object(std::optional<std::uint32_t> index, std::o
 
 constexpr std::uint32_t highest_index = 0xFFFF;
 constexpr std::uint32_t highest_sub = 0xFF;
+constexpr std::uint32_t highest_number = 0xFFFFFFFF;
 constexpr int decimal = 10;
 
 }  // namespace
@@ -79,14 +80,16 @@ std::optional<std::uint16_t> parse_parameter_number(std::string_view text) {
     return number ? std::optional(static_cast<std::uint16_t>(*number)) : std::nullopt;
 }
 
+std::optional<std::uint32_t> parse_number(std::string_view text) {
+    const auto value = parse_digits(text, decimal, highest_number);
+    return value ? value : parse_hexadecimal(text, highest_number);
+}
+
 std::optional<std::uint32_t> parse_value(std::string_view text) {
-    constexpr std::uint32_t highest = 0xFFFFFFFF;
     constexpr int binary = 2;
-    if (const auto value = parse_digits(text, decimal, highest)) {
-        return value;
-    }
-    return has_prefix(text, "bB") && !text.ends_with('h') ? parse_digits(text.substr(2), binary, highest)
-                                                          : parse_hexadecimal(text, highest);
+    return has_prefix(text, "bB") && !text.ends_with('h')
+               ? parse_digits(text.substr(2), binary, highest_number)
+               : parse_number(text);
 }
 
 std::string_view trimmed(std::string_view text) {

@@ -21,7 +21,10 @@ std::optional<std::uint32_t> parse_abort_code(std::string_view text);
 // A parameter's number: decimal digits only, 0..65535.
 std::optional<std::uint16_t> parse_parameter_number(std::string_view text);
 
-// The value of a question "3800=9": "9", "0x0102", "102h", "0b101", 0..FFFFFFFFh.
+// A whole number as the command line takes it: "9", "0x0102", "102h", 0..FFFFFFFFh; no sign, no separators.
+std::optional<std::uint32_t> parse_number(std::string_view text);
+
+// The value of a question "3800=9": such a number, or "0b101".
 std::optional<std::uint32_t> parse_value(std::string_view text);
 
 // Without blanks at both ends.

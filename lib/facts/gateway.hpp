@@ -28,6 +28,7 @@ inline constexpr std::uint8_t first_analogue_tpdo = 4;  // TPDO1..3 carry bits a
 inline constexpr std::uint8_t binary_tpdos = first_analogue_tpdo - 1;
 inline constexpr std::uint8_t analogue_tpdos = tpdo_count - binary_tpdos;
 inline constexpr std::uint8_t words_per_pdo = 4;
+inline constexpr std::uint8_t maximum_outputs = analogue_tpdos * words_per_pdo;  // of 2001h and 2002h (D24)
 inline constexpr std::uint8_t word_bits = 16;
 inline constexpr std::uint8_t word_bytes = 2;
 inline constexpr std::uint8_t transmission_type = 254;  // D31
@@ -36,8 +37,12 @@ inline constexpr std::uint8_t transmission_type = 254;  // D31
 inline constexpr std::uint8_t error_words = 6;
 inline constexpr std::uint8_t error_bits = error_words * word_bits;
 inline constexpr std::uint16_t first_error_number = 3000;
+inline constexpr std::uint16_t last_error_number = first_error_number + error_bits - 1;
 constexpr std::uint16_t error_number(unsigned bit) {
     return static_cast<std::uint16_t>(first_error_number + bit);
+}
+constexpr bool is_error_number(unsigned number) {
+    return number >= first_error_number && number <= last_error_number;
 }
 
 // 2005h: bit = number - 12411 (D52).
@@ -46,6 +51,9 @@ inline constexpr std::uint16_t last_canopen_error = 12424;
 
 // Sensor 9nn is shown by measurement 29nn and has its scaling [inference] (D38).
 inline constexpr std::uint16_t sensor_to_measurement = 2000;
+
+// A switch function 8nn or sensor 9nn has its type in 48nn or 49nn (D27).
+inline constexpr std::uint16_t assignment_to_type = 4000;
 
 // RPDO1 word 1 carries switch functions in 16 bits, word 3 an error flag for each sensor channel (D25).
 inline constexpr std::uint8_t switch_bits = 16;
@@ -57,13 +65,20 @@ constexpr std::uint8_t rpdo_of_channel(unsigned channel) {
 constexpr std::uint8_t word_of_channel(unsigned channel) {
     return static_cast<std::uint8_t>((channel - 1) % words_per_pdo + 1);
 }
+constexpr int first_channel_of_rpdo(int rpdo) {  // RPDO2..4
+    return (rpdo - 2) * words_per_pdo + 1;
+}
+constexpr int last_channel_of_rpdo(int rpdo) {
+    return first_channel_of_rpdo(rpdo) + words_per_pdo - 1;
+}
 
 // Bit rates of 416 and 426 (D6).
 inline constexpr std::array<std::uint16_t, 4> bit_rates_kbit{125, 250, 500, 1000};
 inline constexpr std::uint8_t maximum_hzm_node = 31;  // D4
 
 // Times become whole main cycles: floor, at least one, 0 is off (D8).
-inline constexpr std::uint32_t gateway_main_cycle_us = 16'000;  // GWM 7.2.3
+inline constexpr std::uint32_t gateway_main_cycle_us = 16'000;         // GWM 7.2.3
+inline constexpr std::uint32_t usual_governor_main_cycle_us = 15'625;  // where nothing else is said
 inline constexpr std::uint32_t maximum_governor_cycles = 255;
 inline constexpr std::uint32_t maximum_heartbeat_cycles = 4095;
 constexpr std::uint32_t whole_cycles(std::uint32_t asked_ms, std::uint32_t main_cycle_us) {

@@ -19,11 +19,22 @@ inline constexpr std::uint32_t sdo_request = 0x600;  // client to server
 inline constexpr std::uint32_t heartbeat = 0x700;    // and boot-up
 inline constexpr std::uint32_t node_mask = 0x07F;
 inline constexpr std::uint32_t function_mask = 0x780;
+inline constexpr std::uint16_t highest = 0x7FF;  // 11 bits
+// True for base + node id, whatever the base.
+constexpr bool follows_node(std::uint32_t identifier, std::uint32_t node_id) {
+    return (identifier & node_mask) == node_id && (identifier & function_mask) != 0;
+}
+constexpr std::uint32_t of_other_node(std::uint32_t identifier, std::uint32_t node_id) {
+    return (identifier & function_mask) | node_id;
+}
 }  // namespace cob
 
 // CiA 301 gives these to nobody.
 inline constexpr std::uint16_t first_free_identifier = 0x680;
 inline constexpr std::uint16_t last_free_identifier = 0x6DF;
+constexpr bool is_free_identifier(std::uint32_t identifier) {
+    return identifier >= first_free_identifier && identifier <= last_free_identifier;
+}
 
 inline constexpr std::uint8_t maximum_node_id = 127;
 

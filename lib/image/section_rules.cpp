@@ -1,5 +1,6 @@
 // The format as tables: what each section is, and the range of every field in it.
 #include "facts/gateway.hpp"
+#include "facts/identifiers.hpp"
 #include "image/verify.hpp"
 #include "wire/little_endian.hpp"
 
@@ -32,8 +33,8 @@ struct FieldRule {
 };
 
 constexpr std::uint32_t maximum_start_up_delay_ms = 100'000;  // 400: 0..100 s
-constexpr std::uint32_t maximum_hzm_node = 31;
-constexpr std::uint32_t maximum_node = 127;
+constexpr std::uint32_t maximum_hzm_node = facts::maximum_hzm_node;
+constexpr std::uint32_t maximum_node = facts::maximum_node_id;
 constexpr std::uint32_t any_u32 = 0xFFFF'FFFF;
 
 // Register ranges are those of 410..415 / 420..425 (manual 11.2; the governor's likewise, D17).
@@ -73,7 +74,7 @@ constexpr FieldRule fields[] = {
     {SectionId::heartbeat, heartbeat::reserved + 1, 2, 0, 0},
 
     {SectionId::pdos, pdo::active, 1, 0, 1},
-    {SectionId::pdos, pdo::cob_id, 2, 0, 0x7FF},
+    {SectionId::pdos, pdo::cob_id, 2, 0, facts::cob::highest},
     {SectionId::pdos, pdo::word_count, 1, 0, 4},
     {SectionId::pdos, pdo::transmission_type, 1, facts::transmission_type, facts::transmission_type},
     {SectionId::pdos, pdo::cycles, 2, 0, 255},

@@ -217,7 +217,7 @@ class TableReader {
         if (count > numbers_in_a_note) {
             numbers += fmt::format(" and {} more", count - numbers_in_a_note);
         }
-        report(rules::table_measurement, foreign_.front().where,
+        report(rules::table_row_skipped, foreign_.front().where,
                fmt::format("skipped: {} that {} not concern CANopen: {}",
                            count == 1 ? "a row" : fmt::format("{} rows", count), count == 1 ? "does" : "do",
                            numbers));
@@ -235,7 +235,7 @@ class TableReader {
         if (count > names_in_a_note) {
             names += fmt::format(" and {} more", count - names_in_a_note);
         }
-        report(rules::table_measurement, measurements_.front().where,
+        report(rules::table_row_skipped, measurements_.front().where,
                fmt::format("{} skipped: {}", count == 1 ? "a measurement is" : "measurements are", names));
     }
 

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "base/numbers.hpp"
+#include "facts/identifiers.hpp"
 #include "input/table_reader.hpp"
 
 namespace cgw::input {
@@ -213,7 +214,7 @@ constexpr Key node_id = {.name = "a node id",
                          .kind = Kind::integer,
                          .limit = Limit::value,
                          .minimum = 1,
-                         .maximum = 127,
+                         .maximum = facts::maximum_node_id,
                          .text = "node id of another node"};
 
 void read_nodes(Context& context, const Entry& entry) {

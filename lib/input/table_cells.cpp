@@ -168,9 +168,14 @@ void drop_outer(std::vector<Cell>& cells) {
 }  // namespace
 
 std::string plain_text(std::string_view cell) {
+    // What markup, escapes and no-break spaces begin with; all before the next one is copied at once.
+    constexpr std::string_view special = "<*`\\\xC2\xE2";
     std::string text;
     while (!cell.empty()) {
-        if (const std::size_t markup = markup_length(cell); markup > 0) {
+        if (const std::size_t plain = std::min(cell.find_first_of(special), cell.size()); plain > 0) {
+            text += cell.substr(0, plain);
+            cell.remove_prefix(plain);
+        } else if (const std::size_t markup = markup_length(cell); markup > 0) {
             cell.remove_prefix(markup);
         } else if (const std::size_t space = no_break_space_length(cell); space > 0) {
             text += ' ';

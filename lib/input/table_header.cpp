@@ -32,6 +32,9 @@ constexpr std::string_view words_of_states[] = {"old", "new", "alt", "neu", "act
 constexpr std::string_view harmless_values[] = {"default", "min", "max", "standard", "vorgabe"};
 
 std::optional<Column> column_of(std::string_view word) {
+    if (word.empty()) {
+        return std::nullopt;
+    }
     for (const ColumnWord& known : column_words) {
         if (base::equal_ignoring_case(known.word, word)) {
             return known.column;

@@ -29,13 +29,13 @@ bool has_dots(std::string_view text) {
 
 bool only_dots(std::string_view text) {
     while (!text.empty()) {
-        const auto is_dots = [text](std::string_view dots) { return text.starts_with(dots); };
-        const auto all = {".", ":", "\xE2\x80\xA6", "\xE2\x8B\xAE"};
-        const auto* const found = std::find_if(all.begin(), all.end(), is_dots);
-        if (found == all.end()) {
+        const std::size_t ascii = std::min(text.find_first_not_of(".:"), text.size());
+        text.remove_prefix(ascii);
+        if (text.starts_with("\xE2\x80\xA6") || text.starts_with("\xE2\x8B\xAE")) {
+            text.remove_prefix(3);
+        } else if (ascii == 0) {
             return false;
         }
-        text.remove_prefix(std::string_view(*found).size());
     }
     return true;
 }
@@ -114,8 +114,12 @@ class RowReader {
         findings_.report({&rule, std::move(message), {path_, where}, {}, std::move(help)});
     }
 
+    // Commas may separate the columns of a header although they do not in what stands above it.
     bool take_header(const CellLine& line, std::string_view text, std::size_t skipped) {
-        const CellLine with_commas = split_cells(text, line.number, Separation::commas, skipped);
+        const bool may_have_commas =
+            line.separation != Separation::commas && text.find(',') != std::string_view::npos;
+        const CellLine with_commas =
+            may_have_commas ? split_cells(text, line.number, Separation::commas, skipped) : CellLine{};
         const std::optional<Header> by_commas =
             with_commas.separation == Separation::commas ? header_of(with_commas) : std::nullopt;
         const std::optional<Header> header = by_commas ? by_commas : header_of(line);
@@ -244,8 +248,8 @@ class RowReader {
     }
 
     bool is_parameter(const std::string& text) const {
-        return resolve_silently(catalogue_, Device::governor, text) != nullptr ||
-               resolve_silently(catalogue_, Device::gateway, text) != nullptr;
+        return !text.empty() && (resolve_silently(catalogue_, Device::governor, text) != nullptr ||
+                                 resolve_silently(catalogue_, Device::gateway, text) != nullptr);
     }
 
     // Text between the rows is no concern of ours, unless it may be a row with something before it, or one

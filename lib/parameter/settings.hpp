@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "diagnostic/location.hpp"
+#include "facts/gateway.hpp"
 #include "parameter/catalogue.hpp"
 #include "parameter/row.hpp"
 
@@ -94,7 +95,7 @@ struct Settings {
     std::string path{};
     std::string title{};
     DocumentInformation document{};
-    std::uint32_t main_cycle_us = 15625;  // governor main cycle (D8)
+    std::uint32_t main_cycle_us = facts::usual_governor_main_cycle_us;  // governor main cycle (D8)
     Identity identity{};
     std::optional<BitTiming> can1_bit_timing{};
     std::optional<BitTiming> can2_bit_timing{};

@@ -28,10 +28,16 @@ struct ProcessObjectRow {
 
 constexpr ProcessObjectRow digital_outputs{
     config::object::errors, "Digital Outputs", DataType::unsigned16, Access::ro, {6, 7}};
-constexpr ProcessObjectRow unsigned_outputs{
-    config::object::unsigned_outputs, "Unsigned Analog Outputs", DataType::unsigned16, Access::ro, {0, 52}};
-constexpr ProcessObjectRow signed_outputs{
-    config::object::signed_outputs, "Signed Analog Outputs", DataType::integer16, Access::ro, {0, 52}};
+constexpr ProcessObjectRow unsigned_outputs{config::object::unsigned_outputs,
+                                            "Unsigned Analog Outputs",
+                                            DataType::unsigned16,
+                                            Access::ro,
+                                            {0, facts::maximum_outputs}};
+constexpr ProcessObjectRow signed_outputs{config::object::signed_outputs,
+                                          "Signed Analog Outputs",
+                                          DataType::integer16,
+                                          Access::ro,
+                                          {0, facts::maximum_outputs}};
 constexpr ProcessObjectRow digital_inputs{
     config::object::binary_inputs, "Digital Inputs", DataType::unsigned16, Access::rww, {0, 2}};
 constexpr ProcessObjectRow analog_inputs{config::object::sensors,

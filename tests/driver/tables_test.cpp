@@ -5,9 +5,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
 #include <random>
 
 #include "authoring/clone.hpp"
@@ -15,29 +12,12 @@
 #include "driver/check_file.hpp"
 #include "driver/plant.hpp"
 #include "emit/emitter.hpp"
-#include "support/golden.hpp"
+#include "support/scratch_directory.hpp"
 
 namespace cgw::driver {
 namespace {
 
-class Directory {
-  public:
-    Directory() {
-        std::string name = (std::filesystem::temp_directory_path() / "cgw-tables-XXXXXX").string();
-        path_ = mkdtemp(name.data());
-    }
-    Directory(const Directory&) = delete;
-    Directory& operator=(const Directory&) = delete;
-    ~Directory() { std::filesystem::remove_all(path_); }
-
-    std::string write(const std::string& name, const std::string& text) const {
-        std::ofstream(path_ / name, std::ios::binary) << text;
-        return (path_ / name).string();
-    }
-
-  private:
-    std::filesystem::path path_;
-};
+using Directory = test::ScratchDirectory;
 
 std::string sheet_of(const CheckedFile& file, const std::string& format) {
     const base::Result<Plant> plant = Plant::make(file);
@@ -211,6 +191,36 @@ TEST(Tables, say_which_numbers_of_concern_they_do_not_print) {
     EXPECT_NE(text.find("# Gateway: not printed, taken as 0: 400, 410..415, 428..430, 4400, 16404..16415\n"),
               std::string::npos)
         << text;
+}
+
+TEST(Tables, that_do_not_print_every_row_of_concern_get_a_note_each) {
+    const parameter::Catalogue catalogue(catalogue::shipped_rows());
+    const Directory directory;
+    const TablePaths paths{directory.write("governor.txt", "401 1\n403 1\n2000 1500\n"),
+                           directory.write("gateway.txt", "401 1\n402 1\n")};
+    ReadTables tables = read_tables(paths, catalogue);
+    ASSERT_EQ(tables.reports.size(), 1U);
+    note_absent_rows(tables, paths, catalogue);
+    ASSERT_EQ(tables.reports.size(), 2U);
+    ASSERT_EQ(tables.reports[0].findings.size(), 2U);  // behind the skipped measurement
+    EXPECT_EQ(tables.reports[0].findings[1].message,
+              "not printed for the governor, taken as 0: 400, 4406, 4416, 14401..14402, 16400..16451, "
+              "16460..16472, 16480..16483");
+    EXPECT_EQ(tables.reports[1].path, paths.gateway);
+    EXPECT_EQ(tables.reports[1].findings[0].rule, &diagnostic::rules::table_row_absent);
+    EXPECT_TRUE(tables.valid());
+}
+
+TEST(Tables, that_are_one_file_get_their_notes_in_one_report) {
+    const parameter::Catalogue catalogue(catalogue::shipped_rows());
+    const Directory directory;
+    const std::string path =
+        directory.write("both.csv", "Device;Number;Value\ngovernor;401;1\ngateway;401;1\n");
+    const TablePaths paths{path, path};
+    ReadTables tables = read_tables(paths, catalogue);
+    note_absent_rows(tables, paths, catalogue);
+    ASSERT_EQ(tables.reports.size(), 1U);
+    EXPECT_EQ(tables.reports[0].findings.size(), 2U);
 }
 
 TEST(Tables, that_cannot_be_read_are_a_finding_of_their_own) {

@@ -206,6 +206,11 @@ TEST_F(Explain, error_bits_name_the_errors_of_both_devices) {
     EXPECT_NE(bus.find("governor 3070 ErrCanBus"), std::string::npos) << bus;
     EXPECT_NE(bus.find("gateway 3070 ErrCanBus1"), std::string::npos) << bus;
     EXPECT_EQ(field("2000h:1=4", "bit 2"), "error 3002: no document names it, see the governor's own manual");
+    EXPECT_EQ(titles("3001=1"), "error 3001 = 1");
+    EXPECT_EQ(field("3001=1", "this value"), "the error is there");
+    EXPECT_EQ(field("3001=0", "this value"), "the error is not there");
+    EXPECT_EQ(field("3001=2", "range"), "outside 0..1");
+    EXPECT_EQ(field("3001=1", "seen in"), "bit 1 of 2000h:1");
     EXPECT_TRUE(field("2000h:5=0x400", "bit 10").starts_with("3074 ErrCanOpen / cause: "));
 }
 

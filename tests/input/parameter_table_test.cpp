@@ -479,43 +479,33 @@ TEST(ParameterTable, is_utf_8) {
     EXPECT_EQ(findings_in("401;CanMyNodeNumber;1;\xB0\n"), "E0003 1:23 byte 0xB0 is not UTF-8\n");
 }
 
-// --- the examples in the rules ---
-
-class TableRules : public testing::TestWithParam<const diagnostic::Rule*> {};
-
-TEST_P(TableRules, show_a_table_that_breaks_only_them_and_one_that_does_not) {
-    const Read bad = read(GetParam()->bad);
-    ASSERT_EQ(bad.findings.all().size(), 1U) << text_of(bad.findings);
-    EXPECT_EQ(bad.findings.all()[0].rule, GetParam());
-    EXPECT_EQ(findings_in(GetParam()->good), "");
-}
-
-std::vector<const diagnostic::Rule*> table_rules() {
-    std::vector<const diagnostic::Rule*> found;
-    for (const diagnostic::Rule* rule : diagnostic::all_rules()) {
-        if (rule->name.starts_with("table-")) {
-            found.push_back(rule);
-        }
-    }
-    return found;
-}
-
-INSTANTIATE_TEST_SUITE_P(Rules, TableRules, testing::ValuesIn(table_rules()), [](const auto& instance) {
-    std::string name(instance.param->name);
-    std::replace(name.begin(), name.end(), '-', '_');
-    return name;
-});
-
 // --- anything at all ---
 
-TEST(ParameterTable, reads_a_long_line_of_dots_at_once) {
-    std::string dots;
-    while (dots.size() < (1U << 16U)) {
-        dots += "\xE2\x80\xA6";
+// A line as long as this takes minutes when a pass over it begins anew at each character or cell.
+Read read_long_line(std::string_view piece) {
+    std::string line;
+    while (line.size() < (1U << 17U)) {
+        line += piece;
     }
-    const Read many = read("Number;Parameter;Value;Unit\n401;CanMyNodeNumber;1;\n" + dots + "\n");
-    ASSERT_EQ(many.findings.all().size(), 1U);
-    EXPECT_EQ(many.findings.all()[0].rule, &diagnostic::rules::table_ellipsis);
+    return read("Number;Parameter;Value;Unit\n401;CanMyNodeNumber;1;\n" + line +
+                "\n403;CanCMNodeNumber;1;\n");
+}
+
+TEST(ParameterTable, reads_a_long_line_of_dots_at_once) {
+    for (const std::string_view dots : {".", ":", "\xE2\x80\xA6", ". "}) {
+        const Read many = read_long_line(dots);
+        ASSERT_EQ(many.findings.all().size(), 1U) << dots;
+        EXPECT_EQ(many.findings.all()[0].rule, &diagnostic::rules::table_ellipsis) << dots;
+        EXPECT_EQ(many.findings.all()[0].where.range.start.line, 3U);
+    }
+}
+
+TEST(ParameterTable, reads_a_long_line_of_separators_at_once) {
+    for (const std::string_view separator : {",", "\t", ";", "|", " "}) {
+        const Read many = read_long_line(separator);
+        EXPECT_EQ(text_of(many.findings), "") << separator;
+        EXPECT_EQ(values_of(many.table), "401=1 403=1") << separator;
+    }
 }
 
 TEST(ParameterTable, survives_every_cut_and_every_changed_byte) {

@@ -1,4 +1,8 @@
 // Everything but the parameters: format, title, [document], [governor], [gateway], [network].
+#include "input/sections.hpp"
+
+#include <algorithm>
+
 #include "input/support.hpp"
 
 namespace cgw {
@@ -118,6 +122,18 @@ TEST(InputSections, a_complete_file_is_read_without_a_finding) {
     EXPECT_EQ(settings.network_nodes[1].where.range.start, (diagnostic::Position{25, 13}));
     EXPECT_EQ(settings.governor_table.range.start, (diagnostic::Position{11, 1}));
     EXPECT_EQ(settings.gateway_table.range.start, (diagnostic::Position{18, 1}));
+}
+
+TEST(InputSections, the_main_cycle_that_editors_show_as_preset_is_the_one_that_holds) {
+    const input::Table* governor_table = nullptr;
+    for (const input::Key& key : input::file_table().keys) {
+        governor_table = key.name == "governor" ? key.below : governor_table;
+    }
+    ASSERT_NE(governor_table, nullptr);
+    const auto key = std::find_if(governor_table->keys.begin(), governor_table->keys.end(),
+                                  [](const input::Key& k) { return k.name == "main_cycle_us"; });
+    ASSERT_NE(key, governor_table->keys.end());
+    EXPECT_EQ(key->preset, std::to_string(parameter::Settings{}.main_cycle_us));
 }
 
 TEST(InputSections, defaults_hold_for_what_is_left_out) {

@@ -178,13 +178,13 @@ void RandomPlant::inputs() {
         if (dice_.one_in(6)) {
             const std::int64_t bit = dice_.between(1, facts::switch_bits);
             set(Device::governor, number, dice_.one_in(2) ? bit : -bit);
-            set(Device::governor, number + governor::type_offset, governor::canopen_type);
+            set(Device::governor, governor::type_of(number), governor::canopen_type);
         }
     }
     for (std::uint16_t number = governor::first_sensor; number <= governor::last_sensor; ++number) {
         if (dice_.one_in(6)) {
             set(Device::governor, number, dice_.between(1, facts::sensor_channels));
-            set(Device::governor, number + governor::type_offset, governor::canopen_type);
+            set(Device::governor, governor::type_of(number), governor::canopen_type);
         }
     }
     for (unsigned rpdo = 0; rpdo < facts::rpdo_count; ++rpdo) {

@@ -1,0 +1,137 @@
+// The examples in the rules themselves, as every explanation shows them: `bad` gives the finding and `good`
+// does not.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "authoring/clone.hpp"
+#include "check/findings_text.hpp"
+#include "check/overlay.hpp"
+#include "driver/check_file.hpp"
+#include "driver/tables.hpp"
+#include "emit/concerned.hpp"
+#include "support/scratch_directory.hpp"
+
+namespace cgw::driver {
+namespace {
+
+using diagnostic::Example;
+using diagnostic::Rule;
+using parameter::Device;
+
+// What copying the file with these lines on top finds, for a sister gateway on the same network.
+diagnostic::Findings findings_of_copy(std::string_view fragment) {
+    const std::string text = test::overlaid(test::valid_file, fragment);
+    const CheckedFile file = check_text("example.toml", text);
+    EXPECT_TRUE(file.findings.all().empty()) << test::findings_text(file.findings);
+    diagnostic::Findings findings;
+    authoring::clone_text(text, file.settings, file.configuration, {.node_id = 2}, findings);
+    return findings;
+}
+
+// Every row of concern, as the valid file has it.
+std::string complete_table(Device device) {
+    const CheckedFile file = check_text("example.toml", std::string(test::valid_file));
+    const parameter::ParameterSet& set = file.settings.of(device);
+    std::string text = "Number;Parameter;Value;Unit\n";
+    for (const parameter::Row* row : emit::concerned_rows(*file.catalogue, device, set)) {
+        text += fmt::format("{};{};{};\n", row->number, row->name, set.value(row->number));
+    }
+    return text;
+}
+
+// As test::overlaid(), for rows.
+std::string with_rows(std::string_view table, std::string_view rows) {
+    const auto number_of = [](std::string_view row) {
+        row.remove_prefix(row.starts_with("# ") ? 2 : 0);
+        return row.substr(0, row.find(';'));
+    };
+    std::vector<std::string> lines = test::sections_of(table).front().lines;
+    const std::vector<std::string> replacing = test::sections_of(rows).front().lines;
+    for (const std::string& row : replacing) {
+        const auto same = std::find_if(lines.begin(), lines.end(), [&](const std::string& line) {
+            return number_of(line) == number_of(row);
+        });
+        EXPECT_NE(same, lines.end()) << row;
+        *same = row;
+    }
+    return fmt::format("{}\n", fmt::join(lines, "\n"));
+}
+
+// What reading the governor's table finds, beside a complete one of the gateway.
+diagnostic::Findings findings_in_table(const std::string& table, bool is_to_be_complete) {
+    const parameter::Catalogue catalogue(catalogue::shipped_rows());
+    const test::ScratchDirectory directory;
+    const TablePaths paths{directory.write("governor.csv", table),
+                           directory.write("gateway.csv", complete_table(Device::gateway))};
+    ReadTables tables = read_tables(paths, catalogue);
+    if (is_to_be_complete) {
+        note_absent_rows(tables, paths, catalogue);
+    }
+    diagnostic::Findings findings;
+    for (const diagnostic::FileReport& report : tables.reports) {
+        for (const diagnostic::Diagnostic& finding : report.findings) {
+            findings.report(finding);
+        }
+    }
+    return findings;
+}
+
+diagnostic::Findings findings_of(Example kind, std::string_view example) {
+    switch (kind) {
+        case Example::none:
+            break;
+        case Example::parameter_file:
+            return test::findings_with(example);
+        case Example::copied_file:
+            return findings_of_copy(example);
+        case Example::table:
+            return findings_in_table(std::string(example), false);
+        case Example::table_rows:
+            return findings_in_table(with_rows(complete_table(Device::governor), example), true);
+    }
+    return {};
+}
+
+class RuleExamples : public testing::TestWithParam<const Rule*> {};
+
+TEST_P(RuleExamples, show_the_rule_broken_and_kept) {
+    const Rule& rule = *GetParam();
+    if (rule.example == Example::none) {
+        EXPECT_EQ(rule.bad, "");
+        EXPECT_EQ(rule.good, "");
+        return;
+    }
+    const diagnostic::Findings bad = findings_of(rule.example, rule.bad);
+    ASSERT_EQ(bad.all().size(), 1U) << rule.bad << test::findings_text(bad);
+    EXPECT_EQ(bad.all().front().rule, &rule) << rule.bad << test::findings_text(bad);
+    const diagnostic::Findings good = findings_of(rule.example, rule.good);
+    EXPECT_EQ(test::findings_text(good), "") << rule.good;
+    EXPECT_NE(rule.good, "") << rule.name;
+}
+
+INSTANTIATE_TEST_SUITE_P(Rules, RuleExamples, testing::ValuesIn(diagnostic::all_rules()),
+                         [](const auto& test) {
+                             std::string name(test.param->name);
+                             std::replace(name.begin(), name.end(), '-', '_');
+                             return name;
+                         });
+
+TEST(RuleExampleFile, has_no_findings_itself) {
+    EXPECT_EQ(test::findings_text(test::findings_with("")), "");
+}
+
+TEST(RuleExampleTables, have_no_findings_themselves) {
+    EXPECT_EQ(test::findings_text(findings_in_table(complete_table(Device::governor), true)), "");
+}
+
+TEST(RuleExampleKinds, without_examples_are_the_rules_that_nothing_printed_can_break) {
+    std::string names;
+    for (const Rule* rule : diagnostic::all_rules()) {
+        names += rule->example == Example::none ? fmt::format("{} ", rule->name) : "";
+    }
+    EXPECT_EQ(names, "file-unreadable file-too-large file-not-utf8 ");
+}
+
+}  // namespace
+}  // namespace cgw::driver
