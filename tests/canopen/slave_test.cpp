@@ -22,6 +22,9 @@ class SlaveTest : public testing::Test {
         tables.transmit = std::span(rows_).first(1);
         tables.transmit_states = states_;
         tables.receive = std::span(rows_).last(1);
+        tables.receive_monitors = monitors_;
+        tables.partner_node = 9;
+        tables.partner_period = 200'000;
         slave_.configure(tables);
     }
 
@@ -30,9 +33,11 @@ class SlaveTest : public testing::Test {
         slave_.poll(now);
         port_.take();
     }
-    Kind command(NmtCommand nmt, std::uint8_t node = 5) { return slave_.receive(nmt_frame(nmt, node)).kind; }
+    Kind command(NmtCommand nmt, std::uint8_t node = 5) {
+        return slave_.receive(nmt_frame(nmt, node), now_).kind;
+    }
     std::vector<frame::Frame> upload() {
-        slave_.receive(make_frame(0x605, {0x40, 0x00, 0x10, 0, 0, 0, 0, 0}));
+        slave_.receive(make_frame(0x605, {0x40, 0x00, 0x10, 0, 0, 0, 0, 0}), now_);
         return port_.take();
     }
 
@@ -40,7 +45,9 @@ class SlaveTest : public testing::Test {
     std::array<MappedValue, 1> mapping_{{{0, 4, false}}};
     std::array<PdoRow, 2> rows_{{{0x185, 4, mapping_}, {0x205, 4, mapping_}}};
     std::array<TransmitState, 1> states_{};
+    std::array<ArrivalMonitor, 1> monitors_{ArrivalMonitor{50'000}};
     RecordingPort port_;
+    Time now_ = 0;
     Slave slave_{port_};
 };
 
@@ -131,12 +138,12 @@ TEST_F(SlaveTest, exchanges_pdos_in_operational_only) {
         command(away);
         slave_.request(0);
         slave_.request_if_changed(0);
-        EXPECT_EQ(slave_.receive(rpdo).kind, Kind::none);
+        EXPECT_EQ(slave_.receive(rpdo, now_).kind, Kind::none);
         slave_.poll(1);
         EXPECT_TRUE(port_.sent.empty());
     }
     command(NmtCommand::start);
-    EXPECT_EQ(slave_.receive(rpdo).kind, Kind::pdo_received);
+    EXPECT_EQ(slave_.receive(rpdo, now_).kind, Kind::pdo_received);
     slave_.request(0);
     slave_.poll(2);
     EXPECT_EQ(port_.take(), (std::vector{make_frame(0x185, {1, 2, 3, 4})}));

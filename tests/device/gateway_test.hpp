@@ -13,11 +13,17 @@ namespace cgw::test {
 
 class RecordingLink final : public device::GovernorLink {
   public:
-    void state_changed(device::GatewayState state) override { states.push_back(state); }
+    void status_changed(const device::GatewayStatus& now) override {
+        if (now.state != status.state) {
+            states.push_back(now.state);
+        }
+        status = now;
+    }
     void process_data(std::uint8_t rpdo, const device::PdoWords& words) override {
         received.emplace_back(rpdo, words);
     }
 
+    device::GatewayStatus status;
     std::vector<device::GatewayState> states;
     std::vector<std::pair<std::uint8_t, device::PdoWords>> received;
 };
@@ -30,7 +36,7 @@ class GatewayTest : public testing::Test {
         bytes_ = plant_.image();
         image::Image image;
         EXPECT_EQ(image::Image::open(bytes_, image), image::Status::ok);
-        return gateway_.open(image);
+        return gateway_.open(image, now_);
     }
     void command(device::GovernorCommand command) { gateway_.command(command, now_); }
     void nmt(canopen::NmtCommand command, std::uint8_t node = 5) {
