@@ -1,5 +1,5 @@
 // A gateway with the sample plant's image, a recording CAN2 and a recording governor link. Node 5, main cycle
-// 15.625 ms, heartbeat 1008 ms, TPDO1, 2, 4 (every cycle) and 5 (every 12), RPDO1 to 3.
+// 15.625 ms, heartbeat 1008 ms, TPDO1, 2, 4 (every cycle) and 5 (every 12), RPDO1 to 3; nothing is monitored.
 #pragma once
 
 #include <vector>
@@ -32,6 +32,11 @@ class GatewayTest : public testing::Test {
   protected:
     static constexpr canopen::Time main_cycle = 15'625;
 
+    GatewayTest() {
+        plant_.configuration.heartbeat_consumer = {};
+        plant_.rpdo(2).time = {};
+    }
+
     device::OpenStatus open() {
         bytes_ = plant_.image();
         image::Image image;
@@ -60,6 +65,14 @@ class GatewayTest : public testing::Test {
     std::vector<frame::Frame> cycle() {
         now_ += main_cycle;
         gateway_.main_cycle(data_, now_);
+        return port_.take();
+    }
+    // Main cycles up to the moment, at least; returns what was sent.
+    std::vector<frame::Frame> run_until(canopen::Time end) {
+        while (now_ < end) {
+            now_ += main_cycle;
+            gateway_.main_cycle(data_, now_);
+        }
         return port_.take();
     }
     std::uint32_t upload(std::uint16_t index, std::uint8_t sub_index) {
