@@ -4,17 +4,22 @@
 
 #include <algorithm>
 
+#include "canopen/nmt.hpp"
 #include "cli/canopen-gateway/display.hpp"
+#include "facts/gateway.hpp"
 #include "wire/little_endian.hpp"
 
 namespace cgw::gateway_cli {
 namespace {
 
 constexpr Time sdo_timeout = 500'000;
-constexpr Time output_period = 50'000;
+constexpr Time longest_period = 50'000;  // of what the master sends by itself
 constexpr Time longest_step = 1'000;
-constexpr std::size_t first_rpdo = 16;  // position in the image's PDO table
-constexpr std::size_t transmit_pdos = 16;
+
+// Twice in the time within which the gateway expects it.
+Time period_for(Time monitoring) {
+    return monitoring == 0 ? longest_period : std::min(longest_period, monitoring / 2);
+}
 
 }  // namespace
 
@@ -25,12 +30,13 @@ PlantRun::PlantRun(const image::Image& image, Time duration, std::ostream& out)
       plant_(image),
       node_(plant_.bus(), image.can2().own_node, sdo_timeout) {
     plant_.bus().observe([this](const frame::Frame& frame, Time now) { log_.record(frame, now); });
-    for (std::size_t position = 0; position < transmit_pdos; ++position) {
+    for (std::size_t position = 0; position < facts::tpdo_count; ++position) {
         const image::Pdo pdo = image.pdo(position);
         if (pdo.active) {
             master().subscribe(pdo.cob_id);
         }
     }
+    send_heartbeat();
 }
 
 bool PlantRun::run_for(Time time) {
@@ -43,9 +49,6 @@ bool PlantRun::run_until(const std::function<bool()>& reached, Time at_most) {
     while (!reached()) {
         if (now() >= target) {
             return false;
-        }
-        if (sending_ && now() >= next_outputs_) {
-            send_outputs();
         }
         plant_.bus().run_until(std::min(target, now() + longest_step));
     }
@@ -85,18 +88,27 @@ std::optional<PlantRun::Transfer> PlantRun::finish_transfer() {
 
 void PlantRun::send_outputs() {
     for (std::size_t rpdo = 0; rpdo < outputs_.size(); ++rpdo) {
-        const image::Pdo pdo = image_->pdo(first_rpdo + rpdo);
+        const image::Pdo pdo = image_->pdo(facts::tpdo_count + rpdo);
         if (!pdo.active) {
             continue;
         }
-        std::array<std::uint8_t, 8> data{};
+        frame::Frame frame;
+        frame.id = pdo.cob_id;
+        frame.length = static_cast<std::uint8_t>(facts::word_bytes * pdo.word_count);
         for (std::size_t word = 0; word < pdo.word_count; ++word) {
-            wire::store_u16(&data[2 * word], outputs_[rpdo][word]);
+            wire::store_u16(&frame.data[facts::word_bytes * word], outputs_[rpdo][word]);
         }
-        master().send_process_data(pdo.cob_id, std::span(data).first(2U * pdo.word_count));
+        node_.produce(frame, period_for(pdo.effective_us));
     }
-    sending_ = true;
-    next_outputs_ = now() + output_period;
+}
+
+// In the name of the partner whose heartbeat the gateway watches.
+void PlantRun::send_heartbeat() {
+    const image::Heartbeat heartbeat = image_->heartbeat();
+    if (heartbeat.consumer_us != 0) {
+        node_.produce(canopen::heartbeat_frame(heartbeat.consumer_node, canopen::NmtState::operational),
+                      period_for(heartbeat.consumer_us));
+    }
 }
 
 }  // namespace cgw::gateway_cli

@@ -50,12 +50,13 @@ class PlantRun {
     std::optional<Transfer> download(std::uint16_t index, std::uint8_t sub_index, std::uint32_t value,
                                      std::uint8_t length);
 
-    // The words the master sends in RPDO1..4, every 50 ms from the first assignment on, as a PLC would.
-    std::array<device::PdoWords, 4>& outputs() { return outputs_; }
+    // The words the master sends in RPDO1..4, often enough for their monitoring, as a PLC would.
+    std::array<device::PdoWords, facts::rpdo_count>& outputs() { return outputs_; }
     void send_outputs();
 
   private:
     std::optional<Transfer> finish_transfer();
+    void send_heartbeat();
 
     const image::Image* image_;
     std::ostream* out_;
@@ -63,9 +64,7 @@ class PlantRun {
     simulation::Plant plant_;
     simulation::MasterNode node_;
     media::CandumpLog log_{"can0"};
-    bool sending_ = false;
-    Time next_outputs_ = 0;
-    std::array<device::PdoWords, 4> outputs_{};
+    std::array<device::PdoWords, facts::rpdo_count> outputs_{};
 };
 
 }  // namespace cgw::gateway_cli

@@ -16,6 +16,14 @@ void HeartbeatProducer::silence() {
     deadline_ = never;
 }
 
+void HeartbeatProducer::announce(Time now) {
+    if (period_ == 0) {
+        boot_up_pending_ = true;
+    } else if (!boot_up_pending_) {
+        deadline_ = now;
+    }
+}
+
 bool HeartbeatProducer::send_due(NmtState state, Time now, frame::FramePort& port) {
     if (boot_up_pending_) {
         if (!port.send(heartbeat_frame(node_id_, NmtState::initialising))) {

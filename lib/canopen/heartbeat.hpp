@@ -15,6 +15,8 @@ class HeartbeatProducer {
 
     void boot_up();  // the boot-up message is to be sent, exactly once
     void silence();  // nothing more until the next boot-up
+    // Out of turn: a heartbeat now, or the boot-up message where no heartbeat is configured (D58).
+    void announce(Time now);
 
     // Something is due that the port has not taken yet.
     bool pending() const { return boot_up_pending_ || refused_; }

@@ -8,6 +8,8 @@ namespace {
 
 constexpr std::array commands = {NmtCommand::start, NmtCommand::stop, NmtCommand::enter_pre_operational,
                                  NmtCommand::reset_node, NmtCommand::reset_communication};
+constexpr std::array states = {NmtState::initialising, NmtState::stopped, NmtState::operational,
+                               NmtState::pre_operational};
 
 }  // namespace
 
@@ -32,6 +34,15 @@ std::optional<NmtCommand> nmt_command(const frame::Frame& frame, std::uint8_t no
         return std::nullopt;
     }
     return command;
+}
+
+std::optional<NmtState> heartbeat_state(const frame::Frame& frame) {
+    const auto state = static_cast<NmtState>(frame.data[0]);
+    if (frame.extended || frame.remote || frame.length != 1 ||
+        std::find(states.begin(), states.end(), state) == states.end()) {
+        return std::nullopt;
+    }
+    return state;
 }
 
 frame::Frame heartbeat_frame(std::uint8_t node_id, NmtState state) {

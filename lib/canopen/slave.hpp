@@ -6,6 +6,7 @@
 #include <optional>
 #include <span>
 
+#include "canopen/arrival_monitor.hpp"
 #include "canopen/heartbeat.hpp"
 #include "canopen/pdo.hpp"
 #include "canopen/protocol.hpp"
@@ -26,6 +27,9 @@ class Slave {
         std::span<const PdoRow> transmit;
         std::span<TransmitState> transmit_states;  // one per transmit row
         std::span<const PdoRow> receive;
+        std::span<ArrivalMonitor> receive_monitors;  // one per receive row
+        std::uint8_t partner_node = 0;               // whose heartbeat is watched; 0: nobody's
+        Time partner_period = 0;                     // 0: not watched
     };
 
     // What a frame meant to the device around the slave.
@@ -35,6 +39,7 @@ class Slave {
             state_changed,  // by an NMT command; state() is the new one
             reset,          // 81h or 82h: the slave is initialising until boot_up()
             pdo_received,   // `position`: row of Tables::receive
+            sdo_overflow,   // more requests than answers can wait; this one is not answered
         };
         Kind kind = Kind::none;
         std::size_t position = 0;
@@ -49,13 +54,17 @@ class Slave {
     void initialise();
     // Pre-Operational, and one boot-up message before anything else.
     void boot_up();
+    // The device changes its state for a reason of its own; not to initialising.
+    void force(NmtState state, Time now) { enter(state, now); }
+    // A sign of life out of turn: see HeartbeatProducer::announce.
+    void announce(Time now) { heartbeat_.announce(now); }
     NmtState state() const { return state_; }
 
     // A request to transmit counts in Operational only.
     void request(std::size_t transmit_row);
     void request_if_changed(std::size_t transmit_row);
 
-    Event receive(const frame::Frame& frame);
+    Event receive(const frame::Frame& frame, Time now);
 
     // Sends whatever is due and whatever the port did not take before. Returns when time alone will make
     // something due; while pending() is true, call again as soon as the port has room.
@@ -65,10 +74,17 @@ class Slave {
     const SdoServer& sdo() const { return sdo_; }
     const PdoTransmitter& transmitter() const { return transmitter_; }
     const PdoReceiver& receiver() const { return receiver_; }
+    // Armed in Operational only, as are the receive monitors.
+    const ArrivalMonitor& heartbeat_monitor() const { return heartbeat_monitor_; }
 
   private:
-    Event obey(NmtCommand command);
-    void enter(NmtState state);
+    Event receive_sdo(const frame::Frame& frame);
+    Event receive_pdo(const frame::Frame& frame, Time now);
+    void receive_heartbeat(const frame::Frame& frame, Time now);
+    Event obey(NmtCommand command, Time now);
+    void enter(NmtState state, Time now);
+    void watch(bool operational, Time now);
+    Time expire_monitors(Time now);
     void send_due(Time now);
 
     frame::FramePort* port_;
@@ -78,6 +94,9 @@ class Slave {
     SdoServer sdo_;
     PdoTransmitter transmitter_;
     PdoReceiver receiver_;
+    std::span<ArrivalMonitor> receive_monitors_;
+    std::uint8_t partner_node_ = 0;
+    ArrivalMonitor heartbeat_monitor_;
 };
 
 }  // namespace cgw::canopen

@@ -31,6 +31,10 @@ void Gateway::command(GovernorCommand command, canopen::Time now) {
     if (!open_) {
         return;
     }
+    hear_governor(now);
+    if (errors_.blocking()) {
+        return;
+    }
     switch (command) {
         case GovernorCommand::undefined:
             initialise(GatewayState::undefined);
@@ -39,31 +43,97 @@ void Gateway::command(GovernorCommand command, canopen::Time now) {
             initialise(GatewayState::init);
             break;
         case GovernorCommand::pre_operational:
-            if (state_ == GatewayState::init) {
+            if (state() == GatewayState::init) {
                 slave_.boot_up();
-                enter(GatewayState::pre_operational);
+                publish(GatewayState::pre_operational);
                 slave_.poll(now);
             }
             break;
     }
 }
 
-// The object dictionary is made anew by every initialisation (manual, chapter 3).
+// The object dictionary is made anew by every initialisation (manual, chapter 3); errors stay (manual 9.5).
 void Gateway::initialise(GatewayState state) {
     slave_.initialise();
     std::copy(initial_values_.begin(), initial_values_.end(), values_.begin());
-    enter(state);
+    governor_errors_ = {};
+    publish(state);
 }
 
-void Gateway::enter(GatewayState state) {
-    if (state != state_) {
-        state_ = state;
-        governor_->state_changed(state);
+// Tells the governor when anything it keeps a copy of has changed.
+void Gateway::publish(GatewayState state) {
+    GatewayStatus status;
+    status.state = state;
+    status.late_rpdos = late_rpdos();
+    status.heartbeat_lost = slave_.heartbeat_monitor().tripped();
+    errors_.set(Fault::receive_pdo_late, status.late_rpdos != 0);
+    errors_.set(Fault::heartbeat_lost, status.heartbeat_lost);
+    status.canopen_errors = errors_.canopen_errors();
+    status.errors = errors_.words();
+    store_errors();
+    if (status != status_) {
+        status_ = status;
+        governor_->status_changed(status_);
     }
 }
 
+void Gateway::report(Fault fault, bool present, canopen::Time now) {
+    if (errors_.present(fault) == present) {
+        return;
+    }
+    errors_.set(fault, present);
+    if (fault == Fault::can2_bus) {
+        next_announcement_ = present ? now : canopen::never;
+    }
+    if (present) {
+        react(row_of(fault).reaction, now);
+    }
+    publish(state());
+}
+
+std::uint8_t Gateway::late_rpdos() const {
+    unsigned late = 0;
+    for (std::size_t row = 0; row < receive_pdos; ++row) {
+        late |= receive_monitors_[row].tripped() ? 1U << row : 0U;
+    }
+    return static_cast<std::uint8_t>(late);
+}
+
+void Gateway::clear_errors(canopen::Time now) {
+    errors_.clear();
+    publish(state());
+    slave_.poll(now);
+}
+
+void Gateway::react(Reaction reaction, canopen::Time now) {
+    switch (reaction) {
+        case Reaction::none:
+            break;
+        case Reaction::undefined:
+            initialise(GatewayState::undefined);
+            break;
+        case Reaction::pre_operational:
+            force(GatewayState::pre_operational, now);
+            break;
+        case Reaction::stopped:
+            force(GatewayState::stopped, now);
+            break;
+    }
+}
+
+// Only a state machine that runs can be forced.
+void Gateway::force(GatewayState state, canopen::Time now) {
+    if (this->state() == GatewayState::undefined || this->state() == GatewayState::init) {
+        return;
+    }
+    slave_.force(
+        state == GatewayState::stopped ? canopen::NmtState::stopped : canopen::NmtState::pre_operational,
+        now);
+    publish(state);
+}
+
 void Gateway::receive(const frame::Frame& frame, canopen::Time now) {
-    const canopen::Slave::Event event = slave_.receive(frame);
+    const canopen::Slave::Event event = slave_.receive(frame, now);
     switch (event.kind) {
         case canopen::Slave::Event::Kind::none:
             break;
@@ -76,14 +146,29 @@ void Gateway::receive(const frame::Frame& frame, canopen::Time now) {
         case canopen::Slave::Event::Kind::pdo_received:
             forward(event.position);
             break;
+        case canopen::Slave::Event::Kind::sdo_overflow:
+            errors_.strike(Fault::sdo_overflow);
+            react(row_of(Fault::sdo_overflow).reaction, now);
+            break;
     }
+    follow_monitors();
 }
 
 void Gateway::follow_slave(canopen::Time now) {
-    enter(gateway_state(slave_.state()));
-    if (state_ != GatewayState::operational) {
-        return;
+    const GatewayState state = gateway_state(slave_.state());
+    if (state != GatewayState::operational) {
+        publish(state);
+    } else if (errors_.present(Fault::can2_bus)) {
+        slave_.force(canopen::NmtState::pre_operational, now);  // 3072: no way past Pre-Operational
+        publish(GatewayState::pre_operational);
+    } else {
+        enter_operational(now);
     }
+}
+
+void Gateway::enter_operational(canopen::Time now) {
+    errors_.clear();  // manual 9.5
+    publish(GatewayState::operational);
     for (std::size_t position = 0; position < binary_pdos; ++position) {
         slave_.request(position);  // D53: each entry sends them once
     }
@@ -94,14 +179,62 @@ void Gateway::follow_slave(canopen::Time now) {
 }
 
 void Gateway::main_cycle(const GovernorData& data, canopen::Time now) {
-    if (state_ == GatewayState::undefined || state_ == GatewayState::init) {
+    if (!open_) {
+        return;
+    }
+    hear_governor(now);
+    if (state() == GatewayState::undefined || state() == GatewayState::init) {
         return;
     }
     store(data);
-    if (state_ == GatewayState::operational) {
+    if (state() == GatewayState::operational) {
         request_transmit_pdos();
     }
-    slave_.poll(now);
+    poll(now);
+}
+
+canopen::Time Gateway::poll(canopen::Time now) {
+    if (!open_) {
+        return canopen::never;
+    }
+    watch_governor(now);
+    const canopen::Time announcement = announce(now);
+    const canopen::Time slave = slave_.poll(now);
+    follow_monitors();
+    return std::min({slave, governor_deadline_, announcement});
+}
+
+void Gateway::hear_governor(canopen::Time now) {
+    governor_deadline_ = now + governor_silence;
+    if (errors_.present(Fault::governor_silent)) {
+        report(Fault::governor_silent, false, now);
+    }
+}
+
+void Gateway::watch_governor(canopen::Time now) {
+    if (now >= governor_deadline_) {
+        governor_deadline_ = canopen::never;
+        report(Fault::governor_silent, true, now);
+    }
+}
+
+// Late RPDOs and a lost heartbeat show at once, and vanish by themselves.
+void Gateway::follow_monitors() {
+    if (late_rpdos() != status_.late_rpdos ||
+        slave_.heartbeat_monitor().tripped() != status_.heartbeat_lost) {
+        publish(state());
+    }
+}
+
+// Signs of life while CAN2 is in trouble (D58).
+canopen::Time Gateway::announce(canopen::Time now) {
+    if (now >= next_announcement_) {
+        next_announcement_ = now + announcement_period;
+        if (state() == GatewayState::pre_operational) {
+            slave_.announce(now);
+        }
+    }
+    return next_announcement_;
 }
 
 void Gateway::request_transmit_pdos() {
@@ -122,21 +255,28 @@ void Gateway::request_transmit_pdos() {
 }
 
 void Gateway::store(const GovernorData& data) {
-    bool any_error = false;
-    for (std::size_t word = 0; word < error_words; ++word) {
-        set(places_.errors[word], data.errors[word]);
-        any_error = any_error || data.errors[word] != 0;
-    }
+    governor_errors_ = data.errors;
+    store_errors();
     if (places_.has_engine_state) {
         set(places_.engine_state, data.engine_state & engine_state_bits);
     }
     for (std::size_t position = binary_pdos; position < transmit_pdos; ++position) {
         store_analogue(position, data.analogue[position - binary_pdos]);
     }
-    const bool canopen_error = get(places_.canopen_errors) != 0;
+}
+
+// D58: an error bit is set when either device has the error.
+void Gateway::store_errors() {
+    bool any_error = false;
+    for (std::size_t word = 0; word < error_words; ++word) {
+        const unsigned both = unsigned{governor_errors_[word]} | errors_.words()[word];
+        set(places_.errors[word], both);
+        any_error = any_error || both != 0;
+    }
+    set(places_.canopen_errors, errors_.canopen_errors());
     set(places_.error_register,
         static_cast<std::uint32_t>((any_error ? error_register_generic : 0) |
-                                   (canopen_error ? error_register_communication : 0)));
+                                   (errors_.canopen_errors() != 0 ? error_register_communication : 0)));
 }
 
 void Gateway::store_analogue(std::size_t position, const PdoWords& words) {
@@ -148,10 +288,6 @@ void Gateway::store_analogue(std::size_t position, const PdoWords& words) {
 
 void Gateway::set(const object::ObjectEntry& entry, std::uint32_t value) {
     object::store_value(values_, entry, value);
-}
-
-std::uint32_t Gateway::get(const object::ObjectEntry& entry) const {
-    return object::load_value(values_, entry);
 }
 
 void Gateway::forward(std::size_t rpdo_row) {

@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "canopen/slave.hpp"
+#include "device/gateway_errors.hpp"
 #include "device/governor_link.hpp"
 #include "frame/frame.hpp"
 #include "image/image.hpp"
@@ -26,20 +27,35 @@ std::string_view to_text(OpenStatus status);
 class Gateway {
   public:
     static constexpr std::size_t value_capacity = 1024;  // bytes; a full configuration needs about 760
+    static constexpr canopen::Time announcement_period = 500'000;  // us, while 3072 is set (D58)
+    static constexpr canopen::Time governor_silence = 500'000;  // us without a word from the governor (D46)
 
     Gateway(frame::FramePort& can2, GovernorLink& governor) : governor_(&governor), slave_(can2) {}
     Gateway(const Gateway&) = delete;
     Gateway& operator=(const Gateway&) = delete;
     ~Gateway() = default;
 
-    // Takes a valid image, whose bytes outlive the gateway, and starts in Undefined. On anything but ok the
-    // gateway is Undefined and deaf.
-    OpenStatus open(const image::Image& image);
+    // A reset: takes a valid image, whose bytes outlive the gateway, and starts in Undefined. On anything but
+    // ok the gateway shows 3090 and stays Undefined and deaf.
+    OpenStatus open(const image::Image& image, canopen::Time now);
 
-    GatewayState state() const { return state_; }
+    GatewayState state() const { return status_.state; }
+    const GatewayStatus& status() const { return status_; }
+    const GatewayErrors& errors() const { return errors_; }
+    // The permanent error memory, kept by whoever runs the gateway; after open().
+    void restore(const std::array<std::uint8_t, GatewayErrors::error_count>& sentinels) {
+        errors_.restore(sentinels);
+    }
 
-    // From the governor. Undefined and Init are obeyed in every state, Pre-Operational ends an initialisation
-    // and is ignored outside Init.
+    // A cause of an error as whoever runs the gateway sees it: the drivers of both controllers, supply and
+    // memory tests, the governor link. Causes the gateway sees itself (late RPDOs, lost heartbeat, silent
+    // governor, SDO overflow) are not reported from outside.
+    void report(Fault fault, bool present, canopen::Time now);
+    // "Clear errors", of the PC or of the governor.
+    void clear_errors(canopen::Time now);
+
+    // From the governor. Undefined and Init are obeyed in every state unless an error forbids CANopen;
+    // Pre-Operational ends an initialisation and is ignored outside Init.
     void command(GovernorCommand command, canopen::Time now);
     // Once per governor main cycle, the rhythm of all transmit PDOs.
     void main_cycle(const GovernorData& data, canopen::Time now);
@@ -47,8 +63,9 @@ class Gateway {
     // From CAN2.
     void receive(const frame::Frame& frame, canopen::Time now);
 
-    // See canopen::Slave::poll.
-    canopen::Time poll(canopen::Time now) { return slave_.poll(now); }
+    // Sends what is due, watches what must arrive. Returns when time alone will make something due; while
+    // pending() is true, call again as soon as CAN2 has room.
+    canopen::Time poll(canopen::Time now);
     bool pending() const { return slave_.pending(); }
 
     const canopen::Slave& slave() const { return slave_; }
@@ -75,23 +92,36 @@ class Gateway {
         std::uint16_t left = 0;
     };
 
+    OpenStatus take(const image::Image& image, canopen::Time now);
     bool find_places();
     void resolve(std::size_t position, const image::Pdo& pdo);
     canopen::MappedValue place_of(const image::MappedObject& mapped) const;
-    void configure(const image::Image& image);
+    void configure(const image::Image& image, canopen::Time now);
     void initialise(GatewayState state);
-    void enter(GatewayState state);
+    void force(GatewayState state, canopen::Time now);
     void follow_slave(canopen::Time now);
+    void enter_operational(canopen::Time now);
+    void react(Reaction reaction, canopen::Time now);
+    void hear_governor(canopen::Time now);
+    void watch_governor(canopen::Time now);
+    void follow_monitors();
+    std::uint8_t late_rpdos() const;
+    canopen::Time announce(canopen::Time now);
+    void publish(GatewayState state);
+    void store_errors();
     void store(const GovernorData& data);
     void store_analogue(std::size_t position, const PdoWords& words);
     void set(const object::ObjectEntry& entry, std::uint32_t value);
-    std::uint32_t get(const object::ObjectEntry& entry) const;
     void request_transmit_pdos();
     void forward(std::size_t rpdo_row);
 
     GovernorLink* governor_;
     canopen::Slave slave_;
-    GatewayState state_ = GatewayState::undefined;
+    GatewayStatus status_;
+    GatewayErrors errors_;
+    std::array<std::uint16_t, error_words> governor_errors_{};
+    canopen::Time governor_deadline_ = canopen::never;
+    canopen::Time next_announcement_ = canopen::never;
     bool open_ = false;
     object::ObjectTable objects_;
     std::span<const std::uint8_t> initial_values_;
@@ -101,6 +131,7 @@ class Gateway {
     std::array<canopen::PdoRow, pdos> rows_{};  // TPDO1..16, RPDO1..4, as in the image
     std::array<canopen::TransmitState, transmit_pdos> transmit_states_{};
     std::array<Rhythm, transmit_pdos> rhythms_{};
+    std::array<canopen::ArrivalMonitor, receive_pdos> receive_monitors_{};
 };
 
 }  // namespace cgw::device

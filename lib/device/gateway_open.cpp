@@ -29,10 +29,21 @@ std::string_view to_text(OpenStatus status) {
     return "unknown";
 }
 
-OpenStatus Gateway::open(const image::Image& image) {
+OpenStatus Gateway::open(const image::Image& image, canopen::Time now) {
+    const OpenStatus status = take(image, now);
+    open_ = status == OpenStatus::ok;
+    if (!open_) {
+        errors_.set(Fault::data, true);
+        publish(GatewayState::undefined);
+    }
+    return status;
+}
+
+OpenStatus Gateway::take(const image::Image& image, canopen::Time now) {
     open_ = false;
     slave_.initialise();
-    enter(GatewayState::undefined);
+    errors_ = {};
+    governor_errors_ = {};
     if (image.initial_values().size() > value_capacity) {
         return OpenStatus::values_too_large;
     }
@@ -44,8 +55,7 @@ OpenStatus Gateway::open(const image::Image& image) {
     for (std::size_t position = 0; position < pdos; ++position) {
         resolve(position, image.pdo(position));
     }
-    configure(image);
-    open_ = true;
+    configure(image, now);
     return OpenStatus::ok;
 }
 
@@ -68,6 +78,9 @@ void Gateway::resolve(std::size_t position, const image::Pdo& pdo) {
         const bool cyclic = pdo.active && position >= binary_pdos;
         rhythms_[position] = {cyclic ? pdo.cycles : std::uint16_t{0}, 0};
         transmit_states_[position] = {};
+    } else {
+        receive_monitors_[position - transmit_pdos] =
+            canopen::ArrivalMonitor(pdo.active ? pdo.effective_us : 0);
     }
     if (!pdo.active) {
         return;
@@ -89,7 +102,7 @@ canopen::MappedValue Gateway::place_of(const image::MappedObject& mapped) const 
     return {objects_.find(mapped.index, mapped.sub_index).entry.offset, word_bytes, false};
 }
 
-void Gateway::configure(const image::Image& image) {
+void Gateway::configure(const image::Image& image, canopen::Time now) {
     const std::span<const canopen::PdoRow> rows(rows_);
     canopen::Slave::Tables tables;
     tables.node_id = image.can2().own_node;
@@ -99,7 +112,13 @@ void Gateway::configure(const image::Image& image) {
     tables.transmit = rows.first(transmit_pdos);
     tables.transmit_states = transmit_states_;
     tables.receive = rows.subspan(transmit_pdos);
+    tables.receive_monitors = receive_monitors_;
+    tables.partner_node = image.heartbeat().consumer_node;
+    tables.partner_period = image.heartbeat().consumer_us;
     slave_.configure(tables);
+    // 400: for so long after a reset nobody is missed.
+    governor_deadline_ = now + canopen::Time{image.can1().start_up_delay_ms} * 1000 + governor_silence;
+    next_announcement_ = canopen::never;
     initialise(GatewayState::undefined);
 }
 

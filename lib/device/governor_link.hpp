@@ -29,10 +29,22 @@ struct GovernorData {
     std::uint16_t engine_state = 0;                   // 2000h:7, low byte (D22)
 };
 
+// What the governor is told whenever any of it changes: it keeps a copy of the state machine and of the
+// errors.
+struct GatewayStatus {
+    GatewayState state = GatewayState::undefined;
+    std::uint16_t canopen_errors = 0;                 // 2005h
+    std::array<std::uint16_t, error_words> errors{};  // the Gateway's own share of 2000h:1..6
+    std::uint8_t late_rpdos = 0;                      // bit r - 1: the monitoring of RPDO r has tripped
+    bool heartbeat_lost = false;
+
+    friend bool operator==(const GatewayStatus&, const GatewayStatus&) = default;
+};
+
 // Gateway to governor. Neither call may call back into the gateway.
 class GovernorLink {
   public:
-    virtual void state_changed(GatewayState state) = 0;
+    virtual void status_changed(const GatewayStatus& status) = 0;
     // A receive PDO, 1..4, by word; words it does not carry, dummies included, are 0.
     virtual void process_data(std::uint8_t rpdo, const PdoWords& words) = 0;
 

@@ -6,23 +6,7 @@
 
 namespace cgw::master {
 
-using canopen::NmtState;
 namespace cob = canopen::cob;
-
-namespace {
-
-bool is_heartbeat(const frame::Frame& frame) {
-    return (frame.id & cob::function_mask) == cob::heartbeat && (frame.id & cob::node_mask) != 0 &&
-           frame.length == 1;
-}
-
-bool is_state(std::uint8_t byte) {
-    constexpr std::array known = {NmtState::initialising, NmtState::stopped, NmtState::operational,
-                                  NmtState::pre_operational};
-    return std::find(known.begin(), known.end(), static_cast<NmtState>(byte)) != known.end();
-}
-
-}  // namespace
 
 bool Master::command(canopen::NmtCommand command, std::uint8_t node_id) {
     return port_->send(canopen::nmt_frame(command, node_id));
@@ -50,18 +34,26 @@ void Master::receive(const frame::Frame& frame, canopen::Time now) {
         return;
     }
     sdo_.receive(frame);
-    if (is_heartbeat(frame) && is_state(frame.data[0])) {
-        const auto node_id = static_cast<std::uint8_t>(frame.id & cob::node_mask);
-        const auto state = static_cast<NmtState>(frame.data[0]);
-        if (state == NmtState::initialising) {
-            listener_->boot_up(node_id, now);
-        } else {
-            listener_->heartbeat(node_id, state, now);
-        }
-    }
+    receive_heartbeat(frame, now);
     const auto end = subscriptions_.begin() + static_cast<std::ptrdiff_t>(subscription_count_);
     if (std::find(subscriptions_.begin(), end, frame.id) != end) {
         listener_->process_data(frame, now);
+    }
+}
+
+void Master::receive_heartbeat(const frame::Frame& frame, canopen::Time now) {
+    const auto node_id = static_cast<std::uint8_t>(frame.id & cob::node_mask);
+    if ((frame.id & cob::function_mask) != cob::heartbeat || node_id == 0) {
+        return;
+    }
+    const std::optional<canopen::NmtState> state = canopen::heartbeat_state(frame);
+    if (!state) {
+        return;
+    }
+    if (*state == canopen::NmtState::initialising) {
+        listener_->boot_up(node_id, now);
+    } else {
+        listener_->heartbeat(node_id, *state, now);
     }
 }
 

@@ -46,6 +46,8 @@ class Master {
     bool pending() const { return sdo_.pending(); }
 
   private:
+    void receive_heartbeat(const frame::Frame& frame, canopen::Time now);
+
     frame::FramePort* port_;
     Listener* listener_;
     canopen::SdoClient sdo_;

@@ -61,9 +61,9 @@ Time SimulatedGovernor::poll(Time now) {
     return next_cycle_;
 }
 
-void SimulatedGovernor::state_changed(GatewayState state) {
-    gateway_state_ = state;
-    inputs_.set_operational(state == GatewayState::operational);
+void SimulatedGovernor::status_changed(const device::GatewayStatus& status) {
+    gateway_state_ = status.state;
+    inputs_.follow(status);
 }
 
 void SimulatedGovernor::process_data(std::uint8_t rpdo, const device::PdoWords& words) {
@@ -96,7 +96,7 @@ void SimulatedGovernor::run_engine() {
     engine.load = percentage(load_sensor, load_substitute);
     engine.ambient = ambient_substitute;
     const CanopenInputs::SensorValue ambient = inputs_.sensor(ambient_sensor);
-    if (ambient.carried && !ambient.faulty) {
+    if (ambient.usable()) {
         engine.ambient = scale_of(*image_, ambient_sensor, 0, 2000).to_engineering(ambient.word);
     }
     engine_.advance(static_cast<double>(cycle_) / 1e6, engine);
@@ -105,7 +105,7 @@ void SimulatedGovernor::run_engine() {
 // A sensor's value as a percentage of its range, whatever its unit.
 double SimulatedGovernor::percentage(std::uint16_t sensor_number, double substitute) const {
     const CanopenInputs::SensorValue sensor = inputs_.sensor(sensor_number);
-    if (!sensor.carried || sensor.faulty) {
+    if (!sensor.usable()) {
         return substitute;
     }
     Scale scale = scale_of(*image_, sensor_number, 0, 100);

@@ -24,7 +24,7 @@ class SimulatedGovernor final : public device::GovernorLink, public Participant 
     void connect(device::Gateway& gateway) { gateway_ = &gateway; }
 
     Time poll(Time now) override;
-    void state_changed(device::GatewayState state) override;
+    void status_changed(const device::GatewayStatus& status) override;
     void process_data(std::uint8_t rpdo, const device::PdoWords& words) override;
 
     const Engine& engine() const { return engine_; }

@@ -11,7 +11,7 @@ Plant::Plant(const image::Image& image)
     : bus_(bus_bit_rate_kbit(image)),
       governor_(image),
       gateway_(bus_, governor_),
-      status_(gateway_.gateway.open(image)) {
+      status_(gateway_.gateway.open(image, 0)) {
     governor_.connect(gateway_.gateway);
     bus_.attach_clock(governor_);
 }

@@ -75,7 +75,7 @@ std::uint16_t reading(const image::Image& image, std::uint16_t number, const Eng
                       const CanopenInputs& inputs, double seconds) {
     if (number >= sensor_to_measurement) {
         const auto sensor = inputs.sensor(static_cast<std::uint16_t>(number - sensor_to_measurement));
-        if (sensor.carried && !sensor.faulty) {
+        if (sensor.usable()) {
             return sensor.word;
         }
     }

@@ -1,8 +1,4 @@
-#include "canopen/slave.hpp"
-
-#include "canopen/nmt.hpp"
-#include "canopen/table.hpp"
-#include "support/recording_port.hpp"
+#include "canopen/slave_test.hpp"
 
 namespace cgw::canopen {
 namespace {
@@ -11,38 +7,7 @@ using test::make_frame;
 using test::RecordingPort;
 using Kind = Slave::Event::Kind;
 
-class SlaveTest : public testing::Test {
-  protected:
-    SlaveTest() {
-        Slave::Tables tables;
-        tables.node_id = 5;
-        tables.heartbeat_period = 100'000;
-        tables.objects = table_.objects();
-        tables.values = table_.values;
-        tables.transmit = std::span(rows_).first(1);
-        tables.transmit_states = states_;
-        tables.receive = std::span(rows_).last(1);
-        slave_.configure(tables);
-    }
-
-    void boot_up(Time now = 0) {
-        slave_.boot_up();
-        slave_.poll(now);
-        port_.take();
-    }
-    Kind command(NmtCommand nmt, std::uint8_t node = 5) { return slave_.receive(nmt_frame(nmt, node)).kind; }
-    std::vector<frame::Frame> upload() {
-        slave_.receive(make_frame(0x605, {0x40, 0x00, 0x10, 0, 0, 0, 0, 0}));
-        return port_.take();
-    }
-
-    test::Table table_ = test::sample_table();
-    std::array<MappedValue, 1> mapping_{{{0, 4, false}}};
-    std::array<PdoRow, 2> rows_{{{0x185, 4, mapping_}, {0x205, 4, mapping_}}};
-    std::array<TransmitState, 1> states_{};
-    RecordingPort port_;
-    Slave slave_{port_};
-};
+using SlaveTest = test::SlaveTest;
 
 TEST_F(SlaveTest, is_silent_and_deaf_before_boot_up) {
     EXPECT_EQ(slave_.poll(1'000'000), never);
@@ -131,12 +96,12 @@ TEST_F(SlaveTest, exchanges_pdos_in_operational_only) {
         command(away);
         slave_.request(0);
         slave_.request_if_changed(0);
-        EXPECT_EQ(slave_.receive(rpdo).kind, Kind::none);
+        EXPECT_EQ(slave_.receive(rpdo, now_).kind, Kind::none);
         slave_.poll(1);
         EXPECT_TRUE(port_.sent.empty());
     }
     command(NmtCommand::start);
-    EXPECT_EQ(slave_.receive(rpdo).kind, Kind::pdo_received);
+    EXPECT_EQ(slave_.receive(rpdo, now_).kind, Kind::pdo_received);
     slave_.request(0);
     slave_.poll(2);
     EXPECT_EQ(port_.take(), (std::vector{make_frame(0x185, {1, 2, 3, 4})}));

@@ -1,8 +1,8 @@
 #include "running_plant.hpp"
 
-#include <span>
 #include <stdexcept>
 
+#include "canopen/nmt.hpp"
 #include "driver/plant.hpp"
 
 namespace cgw::test {
@@ -29,14 +29,30 @@ const DbcMessage& RunningPlant::message(const config::Pdo& pdo) const {
 }
 
 void RunningPlant::start() {
+    if (configuration().heartbeat_consumer.effective_us != 0) {
+        node_->produce(
+            canopen::heartbeat_frame(configuration().partner_node_id, canopen::NmtState::operational),
+            configuration().heartbeat_consumer.effective_us / 2);
+    }
+    for (const config::Pdo& pdo : configuration().pdos) {
+        if (pdo.active && pdo.direction == config::Direction::receive) {
+            send(message(pdo), {});
+        }
+    }
+    start_alone();
+}
+
+void RunningPlant::start_alone() {
     run_for(second);
     node_->master().command(canopen::NmtCommand::start, configuration().node_id);
     run_for(second / 100);
 }
 
 void RunningPlant::send(const DbcMessage& message, const frame::Frame& frame) {
-    node_->master().send_process_data(static_cast<std::uint16_t>(message.id),
-                                      std::span(frame.data).first(message.length));
+    frame::Frame sent = frame;
+    sent.id = message.id;
+    sent.length = static_cast<std::uint8_t>(message.length);
+    node_->produce(sent, period);
 }
 
 std::string pdo_name(const config::Pdo& pdo) {

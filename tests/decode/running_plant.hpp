@@ -33,13 +33,17 @@ class RunningPlant {
     const DbcMessage& message(const config::Pdo& pdo) const;
     const DbcMessage& message(const std::string& name) const { return messages_.at(name); }
 
-    // Boots and starts the gateway.
+    // Boots and starts the gateway. Its partner sends a heartbeat and all receive PDOs, with zeros at first;
+    // or nobody else is there.
     void start();
+    void start_alone();
     void run_for(Time time) { plant_->bus().run_until(plant_->bus().now() + time); }
-    // Encoded by the caller; the frame has the length of the message.
+    // Encoded by the caller, from now on in every period; the frame has the length of the message.
     void send(const DbcMessage& message, const frame::Frame& frame);
 
   private:
+    static constexpr Time period = 20'000;  // shorter than any monitoring time of the samples
+
     driver::CheckedFile file_;
     cgw::base::Bytes bytes_;
     image::Image image_;

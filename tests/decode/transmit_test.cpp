@@ -99,7 +99,7 @@ class Monitor {
 TEST(DecodedTransmitPdos, show_what_the_governor_of_the_genset_measures) {
     RunningPlant running(CGW_SAMPLES "/genset.toml");
     Monitor monitor(running);
-    running.start();
+    running.start_alone();
     running.run_for(20 * second);  // start, run-up, load
     EXPECT_GT(running.governor().engine().state().speed, 1000);
     EXPECT_GT(monitor.compared(), 20U * (8 * 4 + 2 * 4 + 4) * 9 / 10);
@@ -121,8 +121,8 @@ TEST(DecodedTransmitPdos, show_which_errors_are_present) {
     for (const int number : {1, 2}) {
         running.node().master().subscribe(configuration.tpdo(number).cob_id);
     }
-    running.start();
-    running.run_for(second);
+    running.start_alone();
+    running.run_for(2 * second);
     constexpr unsigned first_sensor_bit = 5;  // error of sensor 900 in the simulated governor
     unsigned present = 0;
     for (unsigned bit = 0; bit < 96; ++bit) {
@@ -132,7 +132,9 @@ TEST(DecodedTransmitPdos, show_which_errors_are_present) {
         const auto sensor =
             running.governor().inputs().sensor(static_cast<std::uint16_t>(900 + bit - first_sensor_bit));
         const bool faulty = bit >= first_sensor_bit && sensor.carried && sensor.faulty;
-        EXPECT_EQ(running.message(pdo).at(bit % 64).decode(received->last), faulty ? 1 : 0) << 3000 + bit;
+        const bool canopen_error = bit == 74;  // 3074: RPDOs and heartbeat are late
+        EXPECT_EQ(running.message(pdo).at(bit % 64).decode(received->last), faulty || canopen_error ? 1 : 0)
+            << 3000 + bit;
         present += faulty ? 1 : 0;
     }
     EXPECT_EQ(present, configuration.sensors.size());  // no receive PDO came yet
@@ -142,7 +144,7 @@ TEST(DecodedTransmitPdos, show_the_engine_state) {
     RunningPlant running(CGW_SAMPLES "/genset.toml");
     const config::Pdo& pdo = running.configuration().tpdo(3);
     running.node().master().subscribe(pdo.cob_id);
-    running.start();
+    running.start_alone();
     running.run_for(15 * second);
     const auto received = running.node().received(pdo.cob_id);
     ASSERT_TRUE(received);

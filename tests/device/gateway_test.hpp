@@ -1,5 +1,5 @@
 // A gateway with the sample plant's image, a recording CAN2 and a recording governor link. Node 5, main cycle
-// 15.625 ms, heartbeat 1008 ms, TPDO1, 2, 4 (every cycle) and 5 (every 12), RPDO1 to 3.
+// 15.625 ms, heartbeat 1008 ms, TPDO1, 2, 4 (every cycle) and 5 (every 12), RPDO1 to 3; nothing is monitored.
 #pragma once
 
 #include <vector>
@@ -13,11 +13,17 @@ namespace cgw::test {
 
 class RecordingLink final : public device::GovernorLink {
   public:
-    void state_changed(device::GatewayState state) override { states.push_back(state); }
+    void status_changed(const device::GatewayStatus& now) override {
+        if (now.state != status.state) {
+            states.push_back(now.state);
+        }
+        status = now;
+    }
     void process_data(std::uint8_t rpdo, const device::PdoWords& words) override {
         received.emplace_back(rpdo, words);
     }
 
+    device::GatewayStatus status;
     std::vector<device::GatewayState> states;
     std::vector<std::pair<std::uint8_t, device::PdoWords>> received;
 };
@@ -26,11 +32,16 @@ class GatewayTest : public testing::Test {
   protected:
     static constexpr canopen::Time main_cycle = 15'625;
 
+    GatewayTest() {
+        plant_.configuration.heartbeat_consumer = {};
+        plant_.rpdo(2).time = {};
+    }
+
     device::OpenStatus open() {
         bytes_ = plant_.image();
         image::Image image;
         EXPECT_EQ(image::Image::open(bytes_, image), image::Status::ok);
-        return gateway_.open(image);
+        return gateway_.open(image, now_);
     }
     void command(device::GovernorCommand command) { gateway_.command(command, now_); }
     void nmt(canopen::NmtCommand command, std::uint8_t node = 5) {
@@ -54,6 +65,14 @@ class GatewayTest : public testing::Test {
     std::vector<frame::Frame> cycle() {
         now_ += main_cycle;
         gateway_.main_cycle(data_, now_);
+        return port_.take();
+    }
+    // Main cycles up to the moment, at least; returns what was sent.
+    std::vector<frame::Frame> run_until(canopen::Time end) {
+        while (now_ < end) {
+            now_ += main_cycle;
+            gateway_.main_cycle(data_, now_);
+        }
         return port_.take();
     }
     std::uint32_t upload(std::uint16_t index, std::uint8_t sub_index) {

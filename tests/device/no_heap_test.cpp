@@ -56,7 +56,7 @@ struct CountingPort final : frame::FramePort {
 };
 
 struct CountingLink final : GovernorLink {
-    void state_changed(GatewayState) override { ++states; }
+    void status_changed(const GatewayStatus&) override { ++states; }
     void process_data(std::uint8_t, const PdoWords&) override { ++received; }
     std::size_t states = 0;
     std::size_t received = 0;
@@ -94,7 +94,7 @@ TEST(GatewayHeap, takes_no_memory_from_start_on) {
     counting = true;
     image::Image image;
     const bool opened =
-        image::Image::open(bytes, image) == image::Status::ok && gateway.open(image) == OpenStatus::ok;
+        image::Image::open(bytes, image) == image::Status::ok && gateway.open(image, 0) == OpenStatus::ok;
     gateway.command(GovernorCommand::init, 0);
     gateway.command(GovernorCommand::pre_operational, 0);
     gateway.receive(canopen::nmt_frame(canopen::NmtCommand::start, 5), 0);

@@ -76,11 +76,10 @@ TEST_F(GatewayObjects, shows_any_error_in_bit_0_of_the_error_register) {
 }
 
 TEST_F(GatewayObjects, shows_a_canopen_error_in_bit_4_of_the_error_register) {
-    variable(0x2005, 0).default_value.number = 0x0200;
     boot_up();
-    cycle();
-    EXPECT_EQ(upload(0x2005, 0), 0x0200U);
-    EXPECT_EQ(upload(0x1001, 0), 0x10U);
+    gateway_.report(Fault::gateway_reset, true, now_);
+    EXPECT_EQ(upload(0x2005, 0), 0x0100U);
+    EXPECT_EQ(upload(0x1001, 0), 0x11U);
 }
 
 TEST_F(GatewayObjects, makes_the_dictionary_anew_with_each_initialisation) {

@@ -134,25 +134,21 @@ TEST_F(GatewayStates, falls_silent_in_every_state_when_the_governor_says_undefin
 
 TEST_F(GatewayStates, shows_its_state_in_the_heartbeat_one_period_after_boot_up) {
     boot_up();
-    EXPECT_EQ(gateway_.poll(0), 1'008'000U);
-    EXPECT_TRUE(port_.take().empty());
+    EXPECT_TRUE(run_until(1'000'000).empty());
     nmt(NmtCommand::stop);
-    EXPECT_EQ(gateway_.poll(1'008'000), 2'016'000U);
+    EXPECT_EQ(run_until(1'020'000), (std::vector{make_frame(0x705, {0x04})}));
     nmt(NmtCommand::enter_pre_operational);
-    gateway_.poll(2'016'000);
-    EXPECT_EQ(port_.take(), (std::vector{make_frame(0x705, {0x04}), make_frame(0x705, {0x7F})}));
+    EXPECT_EQ(run_until(2'030'000), (std::vector{make_frame(0x705, {0x7F})}));
     nmt(NmtCommand::start);
-    port_.take();
-    gateway_.poll(3'024'000);
-    EXPECT_EQ(port_.take(), (std::vector{make_frame(0x705, {0x05})}));
+    std::vector<frame::Frame> heartbeats = run_until(3'040'000);
+    std::erase_if(heartbeats, [](const frame::Frame& frame) { return frame.id != 0x705; });
+    EXPECT_EQ(heartbeats, (std::vector{make_frame(0x705, {0x05})}));
 }
 
 TEST_F(GatewayStates, sends_no_heartbeat_when_its_time_is_zero) {
     plant_.configuration.heartbeat_producer = {};
     boot_up();
-    EXPECT_EQ(gateway_.poll(0), canopen::never);
-    EXPECT_EQ(gateway_.poll(100'000'000), canopen::never);
-    EXPECT_TRUE(port_.take().empty());
+    EXPECT_TRUE(run_until(100'000'000).empty());
 }
 
 }  // namespace

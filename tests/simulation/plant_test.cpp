@@ -4,6 +4,7 @@
 #include "media/candump.hpp"
 #include "simulation/master_node.hpp"
 #include "simulation/scaling.hpp"
+#include "support/recording_port.hpp"
 #include "support/sample_plant.hpp"
 
 namespace cgw::simulation {
@@ -23,6 +24,13 @@ class PlantTest : public testing::Test {
         bytes_ = sample_.image();
         EXPECT_EQ(image::Image::open(bytes_, image_), image::Status::ok);
     }
+    // As a PLC does: RPDO2 is monitored with 93.75 ms.
+    static void produce(MasterNode& master, std::uint32_t id, std::initializer_list<std::uint8_t> data) {
+        master.produce(test::make_frame(id, data), 50'000);
+    }
+    // Node 127's heartbeat is monitored with 96 ms.
+    static void beat(MasterNode& master) { produce(master, 0x77F, {0x05}); }
+
     double speed(const MasterNode& master, std::size_t word = 0) const {
         const auto received = master.received(0x485);
         const std::uint8_t* data = received.value().last.data.data() + 2 * word;
@@ -78,13 +86,13 @@ TEST_F(PlantTest, sends_cyclic_pdos_in_the_rhythm_of_the_governor) {
 TEST_F(PlantTest, follows_an_external_setpoint_first_with_the_setpoint_then_with_the_speed) {
     Plant plant(image_);
     MasterNode master(plant.bus(), 5, second);
+    beat(master);
     master.master().subscribe(0x485);
     plant.bus().run_until(second);
     master.master().command(NmtCommand::start, 5);
     plant.bus().run_until(6 * second);
     ASSERT_NEAR(speed(master), 1500, 5);
-    const std::array<std::uint8_t, 2> full = {0xFF, 0xFF};
-    master.master().send_process_data(0x305, full);
+    produce(master, 0x305, {0xFF, 0xFF});
     plant.bus().run_until(6 * second + 150'000);
     EXPECT_GT(speed(master, 2), speed(master) + 50);  // 2031 SpeedSetp leads
     plant.bus().run_until(9 * second);
@@ -95,16 +103,15 @@ TEST_F(PlantTest, follows_an_external_setpoint_first_with_the_setpoint_then_with
 TEST_F(PlantTest, obeys_switch_functions) {
     Plant plant(image_);
     MasterNode master(plant.bus(), 5, second);
+    beat(master);
     plant.bus().run_until(second);
     master.master().command(NmtCommand::start, 5);
     plant.bus().run_until(4 * second);
-    EXPECT_NEAR(plant.governor().engine().state().load, 0, 0.1);        // 835 counts 0 before RPDO1 came
-    const std::array<std::uint8_t, 6> enabled = {0x00, 0, 0, 0, 0, 0};  // low-active bit 5
-    master.master().send_process_data(0x205, enabled);
+    EXPECT_NEAR(plant.governor().engine().state().load, 0, 0.1);  // 835 counts 0 before RPDO1 came
+    produce(master, 0x205, {0x00, 0, 0, 0, 0, 0});                // low-active bit 5
     plant.bus().run_until(8 * second);
     EXPECT_NEAR(plant.governor().engine().state().load, 60, 0.1);
-    const std::array<std::uint8_t, 6> idle = {0x01, 0, 0, 0, 0, 0};
-    master.master().send_process_data(0x205, idle);
+    produce(master, 0x205, {0x01, 0, 0, 0, 0, 0});
     plant.bus().run_until(12 * second);
     EXPECT_NEAR(plant.governor().engine().state().speed, idle_speed, 1);
 }
@@ -112,6 +119,7 @@ TEST_F(PlantTest, obeys_switch_functions) {
 TEST_F(PlantTest, reports_a_missing_sensor_as_an_error_until_it_comes) {
     Plant plant(image_);
     MasterNode master(plant.bus(), 5, second);
+    beat(master);
     master.master().subscribe(0x185);
     plant.bus().run_until(second);
     master.master().command(NmtCommand::start, 5);
@@ -119,8 +127,7 @@ TEST_F(PlantTest, reports_a_missing_sensor_as_an_error_until_it_comes) {
     EXPECT_EQ(master.received(0x185)->last.data[0], 1U << 5);  // 3005 for sensor 900
     EXPECT_EQ(master.received(0x185)->last.data[1], 1U << 3);  // 3011 for sensor 906
     const std::uint64_t before = master.received(0x185)->count;
-    const std::array<std::uint8_t, 2> value = {0, 0x80};
-    master.master().send_process_data(0x305, value);
+    produce(master, 0x305, {0, 0x80});
     plant.bus().run_until(3 * second);
     EXPECT_EQ(master.received(0x185)->last.data[0], 0U);
     EXPECT_EQ(master.received(0x185)->count, before + 1);

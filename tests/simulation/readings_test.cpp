@@ -57,7 +57,9 @@ TEST_F(Readings, keeps_eight_bit_signals_in_their_range) {
 TEST_F(Readings, shows_a_received_sensor_in_its_measurement) {
     const std::uint16_t own = read(2906);
     EXPECT_NEAR(own, 1013.0 / 2000 * 65535, 1);
-    inputs_.set_operational(true);
+    device::GatewayStatus status;
+    status.state = device::GatewayState::operational;
+    inputs_.follow(status);
     inputs_.receive(3, {0, 0, 0x7000, 0});
     EXPECT_EQ(read(2906), 0x7000U);
     inputs_.receive(1, {0, 0, 1U << 6, 0});  // flagged faulty: the substitute again

@@ -1,0 +1,35 @@
+#include "canopen/arrival_monitor.hpp"
+
+namespace cgw::canopen {
+
+void ArrivalMonitor::arm(Time now) {
+    last_ = now;
+    armed_ = true;
+    tripped_ = false;
+}
+
+void ArrivalMonitor::disarm() {
+    armed_ = false;
+    tripped_ = false;
+}
+
+void ArrivalMonitor::expire(Time now) {
+    if (active() && !tripped_ && now - last_ > period_) {
+        tripped_ = true;
+        arrived_since_trip_ = false;
+    }
+}
+
+void ArrivalMonitor::arrived(Time now) {
+    if (!active()) {
+        return;
+    }
+    expire(now);
+    if (tripped_) {
+        tripped_ = !arrived_since_trip_ || now - last_ > period_;
+        arrived_since_trip_ = true;
+    }
+    last_ = now;
+}
+
+}  // namespace cgw::canopen

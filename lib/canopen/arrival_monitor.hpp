@@ -1,0 +1,36 @@
+// Watches that something keeps arriving: a receive PDO, a partner's heartbeat. It trips when the time between
+// two arrivals exceeds the period, and recovers with two arrivals that keep it (D44).
+#pragma once
+
+#include "canopen/protocol.hpp"
+
+namespace cgw::canopen {
+
+class ArrivalMonitor {
+  public:
+    ArrivalMonitor() = default;
+    // `period` in microseconds; 0: never trips.
+    explicit ArrivalMonitor(Time period) : period_(period) {}
+
+    // Watching begins, untripped: the first arrival has one whole period (D54).
+    void arm(Time now);
+    // Nothing is watched, nothing is tripped.
+    void disarm();
+
+    void arrived(Time now);
+    void expire(Time now);  // time passes
+
+    bool active() const { return armed_ && period_ != 0; }
+    bool tripped() const { return tripped_; }
+    // When expire() will trip; never when it cannot or has.
+    Time deadline() const { return active() && !tripped_ ? last_ + period_ + 1 : never; }
+
+  private:
+    Time period_ = 0;
+    Time last_ = 0;  // arrival, or the moment of arming
+    bool armed_ = false;
+    bool tripped_ = false;
+    bool arrived_since_trip_ = false;
+};
+
+}  // namespace cgw::canopen
