@@ -24,8 +24,8 @@ inline constexpr std::uint16_t rpdo_monitoring = 16480;  // 16480..16483: RPDO1.
 inline constexpr std::uint16_t engine_stop = 810;
 inline constexpr std::uint16_t first_switch = 811;
 inline constexpr std::uint16_t last_switch = 849;
-inline constexpr std::uint16_t first_sensor = 900;
-inline constexpr std::uint16_t last_sensor = 929;
+using facts::first_sensor;
+using facts::last_sensor;
 inline constexpr std::uint16_t type_offset = 4000;  // 8nn → 48nn, 9nn → 49nn
 inline constexpr std::uint16_t canopen_type = 3;    // value of 48nn/49nn: comes over CANopen
 }  // namespace governor

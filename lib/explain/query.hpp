@@ -24,7 +24,4 @@ std::optional<std::uint16_t> parse_parameter_number(std::string_view text);
 // The value of a question "3800=9": "9", "0x0102", "102h", "0b101", 0..FFFFFFFFh.
 std::optional<std::uint32_t> parse_value(std::string_view text);
 
-// Without blanks at both ends.
-std::string_view trimmed(std::string_view text);
-
 }  // namespace cgw::explain
