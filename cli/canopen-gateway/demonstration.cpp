@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "base/canopen_text.hpp"
 #include "cli/canopen-gateway/display.hpp"
 #include "cli/canopen-gateway/effects.hpp"
 #include "facts/communication.hpp"
@@ -54,9 +55,10 @@ void show_identity(PlantRun& plant_run) {
         if (!transfer) {
             return;
         }
-        const std::string value = transfer->abort_code == 0 ? fmt::format("{:08X}h", transfer->value)
+        const std::string value = transfer->abort_code == 0 ? fmt::format("0x{:08X}", transfer->value)
                                                             : abort_text(transfer->abort_code);
-        plant_run.detail(fmt::format("{:04X}h:{} {:<14} {}", row.index, row.sub_index, row.name, value));
+        plant_run.detail(
+            fmt::format("{} {:<14} {}", base::object_text(row.index, row.sub_index), row.name, value));
     }
 }
 
@@ -79,7 +81,7 @@ void show_refused_write(PlantRun& plant_run) {
     }
     const auto transfer = plant_run.download(heartbeat_time, 0, 500, 2);
     if (transfer) {
-        plant_run.say(fmt::format("SDO write to {:04X}h:0: {}", heartbeat_time,
+        plant_run.say(fmt::format("SDO write to {}: {}", base::object_text(heartbeat_time, 0),
                                   transfer->abort_code == 0 ? "accepted" : abort_text(transfer->abort_code)));
     }
 }

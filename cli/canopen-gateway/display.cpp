@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "base/canopen_text.hpp"
 #include "object/vocabulary.hpp"
 #include "simulation/scaling.hpp"
 
@@ -77,10 +78,10 @@ std::string_view to_text(device::GatewayState state) {
 std::string abort_text(std::uint32_t code) {
     for (const AbortText& row : abort_texts) {
         if (static_cast<std::uint32_t>(row.code) == code) {
-            return fmt::format("abort {:08X}h, {}", code, row.text);
+            return fmt::format("abort 0x{:08X}, {}", code, row.text);
         }
     }
-    return fmt::format("abort {:08X}h", code);
+    return fmt::format("abort 0x{:08X}", code);
 }
 
 std::string clipped(std::string_view text, std::size_t width) {
@@ -125,7 +126,7 @@ std::string value_text(const image::Image& image, std::uint16_t number, std::uin
 }
 
 std::string pdo_text(const image::Pdo& pdo) {
-    return fmt::format("{}PDO{}", pdo.receive ? 'R' : 'T', pdo.number);
+    return base::pdo_name(!pdo.receive, pdo.number);
 }
 
 }  // namespace cgw::gateway_cli

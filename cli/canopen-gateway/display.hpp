@@ -15,7 +15,7 @@ inline constexpr std::size_t line_width = 80;
 
 std::string_view to_text(canopen::NmtState state);
 std::string_view to_text(device::GatewayState state);
-// "abort 06010002h, read-only object", …
+// "abort 0x06010002, read-only object", …
 std::string abort_text(std::uint32_t code);
 
 // At most `width` columns of UTF-8 text, cut off with "..." when there is more.

@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <map>
 
+#include "base/canopen_text.hpp"
 #include "cli/canopen-gateway/display.hpp"
 #include "simulation/readings.hpp"
 #include "simulation/scaling.hpp"
@@ -47,7 +48,7 @@ std::string binary_name(const image::MappedObject& mapped) {
     constexpr unsigned bits = facts::word_bits;
     const unsigned first = facts::error_number(bits * (mapped.sub_index - 1U));
     const bool errors = mapped.sub_index <= device::error_words;
-    return fmt::format("{:04X}h:{} {}", mapped.index, mapped.sub_index,
+    return fmt::format("{} {}", base::object_text(mapped.index, mapped.sub_index),
                        errors ? fmt::format("errors {}..{}", first, first + bits - 1) : "engine state");
 }
 
@@ -60,7 +61,7 @@ void show_words(PlantRun& plant_run, const image::Pdo& pdo, const frame::Frame& 
             measured ? parameter_text(plant_run.image(), mapped.parameter) : binary_name(mapped);
         plant_run.detail(fmt::format("  {:<{}} {:>18}", clipped(name, name_width), name_width,
                                      measured ? value_text(plant_run.image(), mapped.parameter, value)
-                                              : fmt::format("{:04X}h", value)));
+                                              : fmt::format("0x{:04X}", value)));
     }
 }
 
@@ -136,7 +137,7 @@ void change_sensor(PlantRun& plant_run, const image::Sensor& sensor) {
     const double part = (scale.to_engineering(old) - scale.external_minimum) / span;
     word = scale.to_word(scale.external_minimum + span * (part > 0.85 ? part - 0.15 : part + 0.15));
     const image::Pdo pdo = image.pdo(first_rpdo + facts::rpdo_of_channel(sensor.channel) - 1U);
-    plant_run.say(fmt::format("{} {:03X}h changes {}", pdo_text(pdo), pdo.cob_id,
+    plant_run.say(fmt::format("{} {} changes {}", pdo_text(pdo), base::identifier_text(pdo.cob_id),
                               parameter_text(image, sensor.number)));
     plant_run.detail(fmt::format("  from {} to {}; then", value_text(image, sensor.number, old),
                                  value_text(image, sensor.number, word)));
@@ -148,8 +149,8 @@ void toggle_switch(PlantRun& plant_run, const image::SwitchFunction& function) {
     const auto mask = static_cast<std::uint16_t>(1U << (function.bit - 1U));
     word = static_cast<std::uint16_t>(word ^ mask);
     const bool active = ((word & mask) != 0) != function.low_active;
-    plant_run.say(fmt::format("RPDO1 {:03X}h switches {} {}, bit {} is {}",
-                              plant_run.image().pdo(first_rpdo).cob_id,
+    plant_run.say(fmt::format("RPDO1 {} switches {} {}, bit {} is {}",
+                              base::identifier_text(plant_run.image().pdo(first_rpdo).cob_id),
                               parameter_text(plant_run.image(), function.number), active ? "on" : "off",
                               function.bit, (word & mask) != 0 ? 1 : 0));
     follow(plant_run);
@@ -169,8 +170,8 @@ void show_transmit_pdos(PlantRun& plant_run) {
         const std::string rhythm =
             pdo.cycles == 0 ? "on change"
                             : fmt::format("every {:.3f} ms", static_cast<double>(pdo.effective_us) / 1000);
-        plant_run.say(fmt::format("{} {:03X}h {}, {} received", pdo_text(pdo), pdo.cob_id, rhythm,
-                                  received ? received->count : 0));
+        plant_run.say(fmt::format("{} {} {}, {} received", pdo_text(pdo), base::identifier_text(pdo.cob_id),
+                                  rhythm, received ? received->count : 0));
         if (received) {
             show_words(plant_run, pdo, received->last);
         }

@@ -1,4 +1,5 @@
 #include "cli/cgw/artefact_options.hpp"
+#include "base/ascii.hpp"
 
 #include <fmt/format.h>
 
@@ -8,12 +9,8 @@
 namespace cgw::cli {
 namespace {
 
-bool is_letter(char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
-}
-
-bool is_letter_or_digit(char c) {
-    return is_letter(c) || (c >= '0' && c <= '9');
+bool is_of_identifier(char c) {
+    return base::is_letter_or_digit(c) || c == '_';
 }
 
 std::string format_of(const Arguments& arguments, const emit::Emitter& emitter) {
@@ -42,15 +39,15 @@ unsigned alignment_of(const std::string& text) {
 }
 
 std::string symbol_of(const std::string& symbol) {
-    if (symbol.empty() || !is_letter(symbol.front()) ||
-        !std::all_of(symbol.begin(), symbol.end(), is_letter_or_digit)) {
+    if (symbol.empty() || !is_of_identifier(symbol.front()) || base::is_digit(symbol.front()) ||
+        !std::all_of(symbol.begin(), symbol.end(), is_of_identifier)) {
         throw UsageError(fmt::format("--symbol {}: not a C identifier", symbol));
     }
     return symbol;
 }
 
 std::string section_of(const std::string& section) {
-    const auto fits = [](char c) { return is_letter_or_digit(c) || c == '.' || c == '-' || c == '$'; };
+    const auto fits = [](char c) { return is_of_identifier(c) || c == '.' || c == '-' || c == '$'; };
     if (section.empty() || !std::all_of(section.begin(), section.end(), fits)) {
         throw UsageError(
             fmt::format("--section {}: a section name has letters, digits and . _ - $ only", section));

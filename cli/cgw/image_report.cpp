@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "base/canopen_text.hpp"
 #include "base/numbers.hpp"
 #include "base/sha256.hpp"
 #include "base/utf8.hpp"
@@ -36,10 +37,6 @@ class Page {
     std::string text_;
 };
 
-std::string milliseconds(std::uint32_t time_us) {
-    return base::to_text(time_us / 1000.0) + " ms";
-}
-
 std::string bit_rate(bool manual, std::uint16_t kbit) {
     return manual ? std::string("manual bit timing") : fmt::format("{} kbit/s", kbit);
 }
@@ -56,8 +53,8 @@ void show_identity(Page& page, const image::Image& image) {
     page.field("CRC-32", fmt::format("{:08x}", image.crc()));
     page.field("written by", "cgw " + tool_version_text(image));
     page.field("identity 1018h",
-               fmt::format("vendor {:08X}h, product {:08X}h,", identity.vendor, identity.product));
-    page.field("", fmt::format("revision {:08X}h, serial {:08X}h", identity.revision, identity.serial));
+               fmt::format("vendor 0x{:08X}, product 0x{:08X},", identity.vendor, identity.product));
+    page.field("", fmt::format("revision 0x{:08X}, serial 0x{:08X}", identity.revision, identity.serial));
 }
 
 void show_bus(Page& page, std::string_view name, const image::Bus& bus, std::string_view peer) {
@@ -77,7 +74,7 @@ void show_governor(Page& page, const image::Governor& governor) {
     page.field("governor",
                fmt::format("node {}, gateway node {}, {}, main cycle {}", governor.own_node,
                            governor.gateway_node, bit_rate(governor.manual_timing, governor.bit_rate_kbit),
-                           milliseconds(governor.main_cycle_us)));
+                           base::milliseconds_text(governor.main_cycle_us)));
     if (governor.manual_timing) {
         page.field("", "bit-timing registers " + registers(governor.registers));
     }
@@ -89,18 +86,18 @@ void show_governor(Page& page, const image::Governor& governor) {
 void show_heartbeat(Page& page, const image::Heartbeat& heartbeat) {
     page.field("heartbeat producer", heartbeat.producer_us == 0
                                          ? std::string("off")
-                                         : "every " + milliseconds(heartbeat.producer_us));
+                                         : "every " + base::milliseconds_text(heartbeat.producer_us));
     page.field("heartbeat consumer", heartbeat.consumer_us == 0
                                          ? std::string("off")
                                          : fmt::format("node {} within {}", heartbeat.consumer_node,
-                                                       milliseconds(heartbeat.consumer_us)));
+                                                       base::milliseconds_text(heartbeat.consumer_us)));
 }
 
 std::string rhythm(const image::Pdo& pdo) {
     if (pdo.effective_us == 0) {
         return pdo.receive ? "not monitored" : "on change";
     }
-    return fmt::format("{} {}", pdo.receive ? "within" : "every", milliseconds(pdo.effective_us));
+    return fmt::format("{} {}", pdo.receive ? "within" : "every", base::milliseconds_text(pdo.effective_us));
 }
 
 // "2000 Speed", or the bare number of something without a label.
@@ -113,7 +110,7 @@ std::string mapped_text(const image::Image& image, const image::MappedObject& ma
     if (mapped.index == unsigned16_dummy) {
         return "dummy";
     }
-    std::string object = fmt::format("{:04X}h:{}", mapped.index, mapped.sub_index);
+    std::string object = base::object_text(mapped.index, mapped.sub_index);
     if (mapped.parameter == 0) {
         return object;
     }
@@ -129,8 +126,8 @@ void show_pdos(Page& page, const image::Image& image) {
             continue;
         }
         ++active;
-        page.line(fmt::format("  {:<7} {:03X}h  {} bytes, {}", pdo_name(pdo), pdo.cob_id, 2 * pdo.word_count,
-                              rhythm(pdo)));
+        page.line(fmt::format("  {:<7} {}  {} bytes, {}", pdo_name(pdo), base::identifier_text(pdo.cob_id),
+                              2 * pdo.word_count, rhythm(pdo)));
         for (std::size_t word = 0; word < pdo.word_count; ++word) {
             page.line(fmt::format("    word {}  {}", word + 1, mapped_text(image, pdo.mapping[word])));
         }
@@ -177,7 +174,7 @@ std::string short_configuration_id(const image::Image& image) {
 }
 
 std::string pdo_name(const image::Pdo& pdo) {
-    return fmt::format("{}PDO{}", pdo.receive ? 'R' : 'T', pdo.number);
+    return base::pdo_name(!pdo.receive, pdo.number);
 }
 
 std::string tool_version_text(const image::Image& image) {

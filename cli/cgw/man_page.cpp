@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "base/ascii.hpp"
 #include "cli/cgw/help.hpp"
 
 namespace cgw::cli {
@@ -34,7 +35,7 @@ std::string escaped(std::string_view text) {
 std::string header(std::string_view name, std::string_view version, std::string_view summary) {
     std::string upper(name);
     for (char& c : upper) {
-        c = c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
+        c = base::upper(c);
     }
     return fmt::format(".TH {} 1 \"\" \"cgw {}\"\n.nh\n.ad l\n.SH NAME\n{} \\- {}\n", escaped(upper), version,
                        escaped(name), escaped(summary));

@@ -11,6 +11,7 @@
 #include "cli/cgw/exit_codes.hpp"
 #include "cli/cgw/terminal.hpp"
 #include "driver/outputs.hpp"
+#include "parameter/settings.hpp"
 
 namespace cgw::cli {
 
@@ -63,7 +64,7 @@ int write_text(const std::string& output, const std::string& text) {
 }
 
 std::string title_of(const Arguments& arguments) {
-    constexpr std::size_t longest = 200;  // docs/parameter-file.md
+    constexpr std::size_t longest = parameter::longest_title;
     std::string title = arguments.value("--title");
     if (!arguments.given("--title")) {
         return title;

@@ -5,9 +5,10 @@
 #include <algorithm>
 
 #include "authoring/toml_text.hpp"
+#include "base/ascii.hpp"
 #include "input/parameter_file.hpp"
 #include "input/sections.hpp"
-#include "parameter/range_text.hpp"
+#include "parameter/value_text.hpp"
 
 namespace cgw::authoring {
 namespace {
@@ -62,9 +63,9 @@ std::string key_of(const Row& row, bool is_list) {
 std::string measurements(std::string_view list, const parameter::Catalogue& catalogue) {
     std::string names;
     while (!list.empty()) {
-        const std::size_t digits = list.find_first_of("0123456789");
+        const std::size_t digits = list.find_first_of(base::digits);
         list.remove_prefix(std::min(digits, list.size()));
-        const std::size_t end = std::min(list.find_first_not_of("0123456789"), list.size());
+        const std::size_t end = std::min(list.find_first_not_of(base::digits), list.size());
         unsigned number = 0;
         for (const char digit : list.substr(0, end)) {
             number = number * 10 + static_cast<unsigned>(digit - '0');

@@ -201,6 +201,10 @@ Result<void> FileSet::commit() {
     return {};
 }
 
+std::string beside(const std::string& file, const std::string& name) {
+    return file == "-" ? name : (std::filesystem::path(file).parent_path() / name).string();
+}
+
 bool same_file(const std::filesystem::path& a, const std::filesystem::path& b) {
     std::error_code error;
     return std::filesystem::equivalent(a, b, error) && !error;

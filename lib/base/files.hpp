@@ -40,6 +40,10 @@ class FileSet {
     sigset_t signals_before_{};
 };
 
+// `name`, which stands in `file` and is relative to it, seen from where the user is; as it is where `file` is
+// standard input ("-").
+std::string beside(const std::string& file, const std::string& name);
+
 // Both paths name the same existing file, by whatever links and spellings.
 bool same_file(const std::filesystem::path& a, const std::filesystem::path& b);
 

@@ -65,6 +65,11 @@ std::size_t utf8_sequence_length(std::string_view text) {
     return 0;
 }
 
+std::size_t width_of(std::string_view text) {
+    return static_cast<std::size_t>(std::count_if(
+        text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
+}
+
 bool is_control(std::string_view character) {
     const std::uint32_t value = code_point(character);
     return std::any_of(std::begin(controls), std::end(controls), [value](const CodePoints& range) {

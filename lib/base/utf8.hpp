@@ -10,6 +10,9 @@ namespace cgw::base {
 // Bytes of the character at the start of `text`, 1..4; 0 when it is not well-formed or `text` is empty.
 std::size_t utf8_sequence_length(std::string_view text);
 
+// Columns that UTF-8 text takes on a terminal; every character counts one.
+std::size_t width_of(std::string_view text);
+
 // Characters that steer a terminal or hide what stands there: C0 and C1 controls, DEL, line and paragraph
 // separators, zero-width and bidirectional controls. `character` is one well-formed sequence.
 bool is_control(std::string_view character);

@@ -1,5 +1,6 @@
 #include "catalogue/cell_readers.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -184,12 +185,11 @@ void read_section(const Node& value, Draft& draft, const Reporter& report) {
 }
 
 void read_unit(const Node& value, Draft& draft, const Reporter& report) {
-    constexpr std::size_t longest = 16;  // bytes; a table's column, a DBC's unit
-    if (is_line(value.text) && value.text.size() <= longest) {
+    if (is_line(value.text) && value.text.size() <= longest_unit) {
         draft.row.unit = value.text;
     } else {
         report(rules::declaration_invalid, value.range,
-               fmt::format("a unit has 1 to {} bytes and no control characters", longest));
+               fmt::format("a unit has 1 to {} bytes and no control characters", longest_unit));
     }
 }
 
@@ -237,11 +237,11 @@ void read_decimal(const Node& value, Draft& draft, const Reporter&) {
 // what a measurement is on the wire
 
 void read_width(const Node& value, Draft& draft, const Reporter& report) {
-    if (value.integer == 8 || value.integer == 16) {
+    if (std::find(word_widths.begin(), word_widths.end(), value.integer) != word_widths.end()) {
         draft.row.width = static_cast<std::uint8_t>(value.integer);
     } else {
         report(rules::declaration_invalid, value.range,
-               fmt::format("width {} is neither 8 nor 16", value.text),
+               fmt::format("width {} is neither {}", value.text, fmt::join(word_widths, " nor ")),
                value.integer == 1 ? "write `bit = true` for a measurement of one bit" : "");
     }
 }
@@ -266,13 +266,11 @@ void read_internal(const Node& value, Draft& draft, const Reporter& report) {
     if (!pair) {
         return;
     }
-    constexpr double lowest = std::numeric_limits<std::int16_t>::min();
-    constexpr double highest = std::numeric_limits<std::uint16_t>::max();
     const bool whole = pair->first == std::floor(pair->first) && pair->second == std::floor(pair->second);
-    if (!whole || pair->first < lowest || pair->second > highest || pair->first == pair->second) {
+    if (!whole || pair->first < lowest_raw || pair->second > highest_raw || pair->first == pair->second) {
         report(rules::declaration_invalid, value.range,
-               fmt::format("internal [{}, {}] is not a range of integers within -32768..65535",
-                           base::to_text(pair->first), base::to_text(pair->second)));
+               fmt::format("internal [{}, {}] is not a range of integers within {}..{}",
+                           base::to_text(pair->first), base::to_text(pair->second), lowest_raw, highest_raw));
         return;
     }
     scaling_of(draft.row).internal_minimum = static_cast<std::int32_t>(pair->first);

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "base/ascii.hpp"
 #include "base/numbers.hpp"
 
 namespace cgw::catalogue {
@@ -13,13 +14,6 @@ namespace {
 
 using toml::Node;
 namespace rules = diagnostic::rules;
-
-bool is_letter(char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
-}
-bool is_digit(char c) {
-    return c >= '0' && c <= '9';
-}
 
 bool is_number(const Node& value) {
     return (value.kind == toml::Kind::integer || value.kind == toml::Kind::real) && std::isfinite(value.real);
@@ -53,10 +47,9 @@ std::optional<Limit> read_limit(const Node& value, const Reporter& report) {
 }  // namespace
 
 bool is_name(std::string_view text) {
-    return !text.empty() && text.size() <= longest_name && is_letter(text.front()) &&
+    return !text.empty() && text.size() <= longest_name && base::is_letter(text.front()) &&
            std::all_of(text.begin(), text.end(), [](char c) {
-               return is_letter(c) || is_digit(c) ||
-                      std::string_view("_-:./").find(c) != std::string_view::npos;
+               return base::is_letter_or_digit(c) || name_marks.find(c) != std::string_view::npos;
            });
 }
 
@@ -66,7 +59,7 @@ bool is_number_and_name(std::string_view text) {
         return false;
     }
     const auto number = base::parse_integer(text.substr(0, blank));
-    return number && *number >= 1 && *number <= highest_number && is_digit(text.front()) &&
+    return number && *number >= 1 && *number <= highest_number && base::is_digit(text.front()) &&
            is_name(text.substr(blank + 1));
 }
 

@@ -1,7 +1,9 @@
 // The forms of values in a catalogue: names, lines of text, pairs of limits.
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <string_view>
 #include <utility>
@@ -11,8 +13,14 @@
 namespace cgw::catalogue {
 
 inline constexpr std::size_t longest_name = 64;
+inline constexpr std::string_view name_marks = "_:./-";  // in names beside letters and digits
+inline constexpr std::size_t longest_unit = 16;          // bytes; a table's column, a DBC's unit
+inline constexpr std::array<std::uint8_t, 2> word_widths{8, 16};
+// Raw values that a word of either sign can have.
+inline constexpr std::int32_t lowest_raw = std::numeric_limits<std::int16_t>::min();
+inline constexpr std::int32_t highest_raw = std::numeric_limits<std::uint16_t>::max();
 
-// A letter, then letters, digits and _ - : . /, so that a name is never mistaken for a number or an element.
+// A letter, then letters, digits and name_marks, so that a name is never mistaken for a number or an element.
 bool is_name(std::string_view text);
 
 // "409 CanBaudrate"

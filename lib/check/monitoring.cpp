@@ -28,11 +28,11 @@ std::string help_for_early(const Watch& watch) {
         config::next_time_that_works(watch.time, watch.main_cycle_us, watch.most_cycles);
     if (!next) {
         return fmt::format("no longer time is possible: let the sender send more often than every {}",
-                           milliseconds(watch.time.effective_us));
+                           milliseconds_text(watch.time.effective_us));
     }
     return fmt::format(
         "{} ms is the next time that works: {} main cycles{}", next->asked_ms, next->cycles,
-        next->effective_us == next->asked_ms * 1000 ? "" : ", " + milliseconds(next->effective_us));
+        next->effective_us == next->asked_ms * 1000 ? "" : ", " + milliseconds_text(next->effective_us));
 }
 
 // The first switch or sensor that the RPDO carries.
@@ -83,7 +83,7 @@ std::vector<Watch> watches(const Context& context) {
                        .time = pdo.time,
                        .main_cycle_us = configuration.main_cycle_us,
                        .most_cycles = config::maximum_governor_cycles,
-                       .watched = fmt::format("RPDO{}", number),
+                       .watched = pdo.name(),
                        .active = pdo.active,
                        .section = "7.1.5"});
     }
@@ -110,7 +110,7 @@ void check_early_monitoring(const Context& context) {
                  fmt::format("{} is {} ms, but {} is missed after {} already: a sender that keeps to "
                              "{} ms trips it (manual {})",
                              label(context, watch.device, watch.number), watch.time.asked_ms, watch.watched,
-                             milliseconds(watch.time.effective_us), watch.time.asked_ms, watch.section),
+                             milliseconds_text(watch.time.effective_us), watch.time.asked_ms, watch.section),
              .where = assignment->where,
              .help = help_for_early(watch)});
     }
@@ -128,7 +128,7 @@ void check_short_monitoring(const Context& context) {
                  fmt::format("{} is {} ms, a single main cycle of {}: {} is missed as soon as it has to "
                              "wait for the bus (manual {})",
                              label(context, watch.device, watch.number), watch.time.asked_ms,
-                             milliseconds(watch.time.effective_us), watch.watched, watch.section),
+                             milliseconds_text(watch.time.effective_us), watch.watched, watch.section),
              .where = assignment->where,
              .help = fmt::format("the shortest time of two main cycles is {} ms; several times the sender's "
                                  "cycle is better",

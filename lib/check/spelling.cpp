@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <charconv>
 
+#include "base/ascii.hpp"
 #include "check/subjects.hpp"
 #include "check/support.hpp"
 
@@ -53,9 +54,8 @@ const parameter::Row* misprinted(const Context& context, const Assignment& assig
     if (error != std::errc{}) {
         return nullptr;
     }
-    std::string_view name(end, static_cast<std::size_t>(key.data() + key.size() - end));
-    name.remove_prefix(std::min(name.find_first_not_of(" \t"), name.size()));
-    name = name.substr(0, name.find_last_not_of(" \t") + 1);
+    const std::string_view name =
+        base::trimmed({end, static_cast<std::size_t>(key.data() + key.size() - end)});
     return context.catalogue.find_misprint(assignment.row->device, number, name);
 }
 

@@ -4,18 +4,11 @@
 
 #include <algorithm>
 
+#include "parameter/value_text.hpp"
+
 namespace cgw::check {
 
 namespace {
-
-bool fits(const parameter::Row& row, double value) {
-    if ((row.minimum && value < *row.minimum) || (row.maximum && value > *row.maximum)) {
-        return false;
-    }
-    return row.choices.empty() ||
-           std::any_of(row.choices.begin(), row.choices.end(),
-                       [value](std::uint32_t choice) { return static_cast<double>(choice) == value; });
-}
 
 std::string owned(parameter::Device device, const std::string& name) {
     return fmt::format("the {}'s {}", parameter::to_text(device), name);
@@ -26,7 +19,7 @@ std::string owned(parameter::Device device, const std::string& name) {
 const parameter::Assignment* usable(const Context& context, parameter::Device device, std::uint16_t number) {
     const parameter::Assignment* assignment = context.settings.of(device).find(number);
     const bool good =
-        assignment != nullptr && assignment->row != nullptr && fits(*assignment->row, assignment->value);
+        assignment != nullptr && assignment->row != nullptr && assignment->row->allows(assignment->value);
     return good ? assignment : nullptr;
 }
 
@@ -80,16 +73,7 @@ std::string owned_label(const Context& context, parameter::Device device, std::u
 }
 
 std::string quantity(const parameter::Assignment& assignment) {
-    const std::string_view unit = assignment.row->unit;
-    return fmt::format("{}{}{}", assignment.value, unit.empty() ? "" : " ", unit);
-}
-
-std::string milliseconds(std::uint64_t microseconds) {
-    return fmt::format("{} ms", static_cast<double>(microseconds) / 1000);
-}
-
-std::string identifier_text(std::uint32_t identifier) {
-    return fmt::format("{:03X}h", identifier);
+    return quantity_text(*assignment.row, assignment.value);
 }
 
 diagnostic::Related here(const parameter::Assignment& assignment) {

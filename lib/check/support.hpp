@@ -5,9 +5,13 @@
 #include <string>
 #include <string_view>
 
+#include "base/canopen_text.hpp"
 #include "check/checks.hpp"
 
 namespace cgw::check {
+
+using base::identifier_text;
+using base::milliseconds_text;
 
 // The assignment, or nullptr when the number is not set or its value does not fit its row (the input has
 // reported that).
@@ -38,18 +42,12 @@ std::string label(const Context& context, parameter::Device device, std::uint16_
 // "the gateway's 402 CanDCNodeNumber"
 std::string owned_label(const Context& context, parameter::Device device, std::uint16_t number);
 
-// "100 ms", "250 kbit/s", "3"
+// "100 ms", "250 kbit/s", "3", "0x282"
 std::string quantity(const parameter::Assignment& assignment);
-
-// "93.75 ms"
-std::string milliseconds(std::uint64_t microseconds);
 
 // A decimal literal for a parameter that the manual prints in hexadecimal (D15), with two readings.
 // Defined with the check about it, in spelling.cpp.
 bool decimal_in_doubt(const parameter::Assignment& assignment);
-
-// "282h", as the manual prints identifiers
-std::string identifier_text(std::uint32_t identifier);
 
 // "the gateway's 402 CanDCNodeNumber is 2 here", pointing at the value.
 diagnostic::Related here(const parameter::Assignment& assignment);

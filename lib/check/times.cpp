@@ -88,8 +88,8 @@ void check_quantised_times(const Context& context) {
             {.rule = &rules::time_quantised,
              .message = fmt::format("{} is {} ms, in effect {}: {} main cycle{} of the {} (manual {})",
                                     label(context, decision.device, decision.parameter), time.asked_ms,
-                                    milliseconds(time.effective_us), time.cycles, time.cycles == 1 ? "" : "s",
-                                    parameter::to_text(decision.device),
+                                    milliseconds_text(time.effective_us), time.cycles,
+                                    time.cycles == 1 ? "" : "s", parameter::to_text(decision.device),
                                     section_of(decision.device, decision.parameter)),
              .where = assignment->where});
     }

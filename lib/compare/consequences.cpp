@@ -4,6 +4,7 @@
 
 #include <map>
 
+#include "base/canopen_text.hpp"
 #include "base/numbers.hpp"
 #include "config/numbers.hpp"
 
@@ -35,8 +36,8 @@ constexpr std::pair<std::uint32_t, const char*> node_identifiers[] = {
     {facts::cob::heartbeat, "boot-up and heartbeat identifier"},
 };
 
-std::string identifier_text(std::uint32_t base, std::uint8_t node_id) {
-    return node_id == 0 ? "none" : fmt::format("{:03X}h", base + node_id);
+std::string node_identifier_text(std::uint32_t first, std::uint8_t node_id) {
+    return node_id == 0 ? "none" : base::identifier_text(first + node_id);
 }
 
 using Inputs = std::map<std::uint16_t, std::pair<std::string, std::string>>;  // by number: name and meaning
@@ -54,9 +55,7 @@ Inputs switches_of(const Configuration& configuration) {
 Inputs sensors_of(const Configuration& configuration) {
     Inputs inputs;
     for (const config::Sensor& sensor : configuration.sensors) {
-        inputs[sensor.row->number] = {parameter::label(*sensor.row),
-                                      fmt::format("RPDO{} word {}", facts::rpdo_of_channel(sensor.channel),
-                                                  facts::word_of_channel(sensor.channel))};
+        inputs[sensor.row->number] = {parameter::label(*sensor.row), channel_word_text(sensor.channel)};
     }
     return inputs;
 }
@@ -76,9 +75,13 @@ void compare_input_maps(std::string_view kind, const Inputs& a, const Inputs& b,
 
 }  // namespace
 
+std::string channel_word_text(unsigned channel) {
+    return fmt::format("{} word {}", base::pdo_name(false, facts::rpdo_of_channel(channel)),
+                       facts::word_of_channel(channel));
+}
+
 std::string time_text(const config::CyclicTime& time) {
-    return time.effective_us == 0 ? "off"
-                                  : base::to_text(static_cast<double>(time.effective_us) / 1000) + " ms";
+    return time.effective_us == 0 ? "off" : base::milliseconds_text(time.effective_us);
 }
 
 void compare_communication(const parameter::Settings& a, const parameter::Settings& b,
@@ -107,8 +110,8 @@ void compare_buses(const Configuration& a, const Configuration& b, Differences& 
     note(differences, "bit-rate", "HZM bit rate, gateway", bit_rate_text(a.can1), bit_rate_text(b.can1));
     number("node-id", "CANopen node id", a.node_id, b.node_id);
     for (const auto& [base, subject] : node_identifiers) {
-        note(differences, "node-identifier", subject, identifier_text(base, a.node_id),
-             identifier_text(base, b.node_id));
+        note(differences, "node-identifier", subject, node_identifier_text(base, a.node_id),
+             node_identifier_text(base, b.node_id));
     }
     note(differences, "bit-rate", "CANopen bit rate", bit_rate_text(a.can2), bit_rate_text(b.can2));
     note(differences, "heartbeat", "heartbeat sent", time_text(a.heartbeat_producer),

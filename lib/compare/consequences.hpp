@@ -26,7 +26,10 @@ void compare_scalings(const Side& a, const Side& b, Differences& differences);
 void compare_objects(const config::Configuration& a, const config::Configuration& b,
                      Differences& differences);
 
-// "15.625 ms"
+// "RPDO2 word 1", where a sensor's channel comes (D26)
+std::string channel_word_text(unsigned channel);
+
+// "15.625 ms", "off"
 std::string time_text(const config::CyclicTime& time);
 
 }  // namespace cgw::compare

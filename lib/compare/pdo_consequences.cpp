@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/canopen_text.hpp"
 #include "compare/consequences.hpp"
 #include "config/numbers.hpp"
 
@@ -11,10 +12,6 @@ namespace {
 using config::MappedWord;
 using config::Pdo;
 using config::WordKind;
-
-std::string name_of(const Pdo& pdo) {
-    return fmt::format("{}PDO{}", pdo.direction == config::Direction::transmit ? 'T' : 'R', pdo.number);
-}
 
 bool has_time(const Pdo& pdo) {
     return pdo.direction == config::Direction::receive || pdo.number >= config::first_analogue_tpdo;
@@ -29,7 +26,7 @@ std::string summary(const Pdo& pdo) {
     if (!pdo.active) {
         return "inactive";
     }
-    return fmt::format("{:03X}h, {} bytes{}", pdo.cob_id, pdo.length(),
+    return fmt::format("{}, {} bytes{}", base::identifier_text(pdo.cob_id), pdo.length(),
                        has_time(pdo) ? ", " + pdo_time_text(pdo) : "");
 }
 
@@ -72,13 +69,13 @@ std::string where_before(const Pdo& before, const Pdo& now, std::size_t position
 }
 
 void compare_pdo(const Pdo& a, const Pdo& b, Differences& differences) {
-    const std::string name = name_of(a);
+    const std::string name = a.name();
     if (!a.active || !b.active) {
         note(differences, "pdo", name, summary(a), summary(b));
         return;
     }
-    note(differences, "pdo-identifier", name + " identifier", fmt::format("{:03X}h", a.cob_id),
-         fmt::format("{:03X}h", b.cob_id));
+    note(differences, "pdo-identifier", name + " identifier", base::identifier_text(a.cob_id),
+         base::identifier_text(b.cob_id));
     if (has_time(a)) {
         const bool transmits = a.direction == config::Direction::transmit;
         note(differences, "pdo-time", fmt::format("{} {}", name, transmits ? "cycle" : "monitoring"),

@@ -1,9 +1,9 @@
 #include <fmt/format.h>
 
 #include "base/json.hpp"
-#include "base/numbers.hpp"
 #include "base/utf8.hpp"
 #include "compare/compare.hpp"
+#include "parameter/value_text.hpp"
 
 namespace cgw::compare {
 namespace {
@@ -11,16 +11,6 @@ namespace {
 constexpr int format_version = 1;
 constexpr std::size_t line_width = 80;
 constexpr std::size_t subject_width = 36;
-
-std::string value_text(const parameter::Row& row, double value) {
-    return row.base == parameter::Base::hexadecimal && value >= 0
-               ? fmt::format("{:X}h", static_cast<std::uint32_t>(value))
-               : base::to_text(value);
-}
-
-std::string unit_text(const parameter::Row& row) {
-    return row.unit.empty() || row.base == parameter::Base::hexadecimal ? "" : fmt::format(" {}", row.unit);
-}
 
 // One line where it fits, else what was and what is below the subject.
 std::string line(std::string_view subject, std::string_view a, std::string_view b) {
@@ -47,7 +37,7 @@ void parameters_section(std::string& text, std::string_view heading,
     for (const ParameterDifference& difference : differences) {
         const parameter::Row& row = *difference.row;
         text += line(parameter_subject(row), value_text(row, difference.a),
-                     has_b ? value_text(row, difference.b) + unit_text(row) : "?");
+                     has_b ? quantity_text(row, difference.b) : "?");
     }
 }
 

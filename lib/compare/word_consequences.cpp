@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <map>
 
+#include "base/canopen_text.hpp"
 #include "base/numbers.hpp"
 #include "compare/consequences.hpp"
 
@@ -28,10 +29,7 @@ CarriedWords words_of(const config::Configuration& configuration) {
             CarriedWord{fmt::format("TPDO{} word {}", output.tpdo, output.word), output.parameter});
     }
     for (const config::Sensor& sensor : configuration.sensors) {
-        words.try_emplace(sensor.row->number,
-                          CarriedWord{fmt::format("RPDO{} word {}", facts::rpdo_of_channel(sensor.channel),
-                                                  facts::word_of_channel(sensor.channel)),
-                                      sensor.row});
+        words.try_emplace(sensor.row->number, CarriedWord{channel_word_text(sensor.channel), sensor.row});
     }
     return words;
 }
@@ -91,8 +89,8 @@ void compare_objects(const config::Configuration& a, const config::Configuration
     for (const auto& [place, row] : objects_of(a)) {
         const auto found = now.find(place);
         if (found == now.end() || found->second->number != row->number) {
-            note(differences, "object", fmt::format("{:04X}h:{}", place.first, place.second),
-                 parameter::label(*row), found != now.end() ? parameter::label(*found->second) : "nothing");
+            note(differences, "object", base::object_text(place.first, place.second), parameter::label(*row),
+                 found != now.end() ? parameter::label(*found->second) : "nothing");
         }
     }
 }

@@ -5,8 +5,10 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <vector>
 
+#include "base/canopen_text.hpp"
 #include "facts/gateway.hpp"
 #include "parameter/row.hpp"
 #include "parameter/settings.hpp"
@@ -74,6 +76,7 @@ struct Pdo {
     CyclicTime time;                  // cycle (TPDO4..16) or monitoring (RPDO); zero for TPDO1..3
     std::vector<MappedWord> mapping;  // empty when inactive
 
+    std::string name() const { return base::pdo_name(direction == Direction::transmit, number); }
     std::uint8_t length() const {
         return static_cast<std::uint8_t>(facts::word_bytes * mapping.size());
     }  // bytes

@@ -43,8 +43,8 @@ constexpr int rpdo_of_monitoring(std::uint16_t number) {
 inline constexpr std::uint16_t engine_stop = 810;
 inline constexpr std::uint16_t first_switch = 811;
 inline constexpr std::uint16_t last_switch = 849;
-inline constexpr std::uint16_t first_sensor = 900;
-inline constexpr std::uint16_t last_sensor = 929;
+using facts::first_sensor;
+using facts::last_sensor;
 inline constexpr std::uint16_t canopen_type = 3;             // value of 48nn/49nn: comes over CANopen
 constexpr std::uint16_t type_of(std::uint16_t assignment) {  // 8nn → 48nn, 9nn → 49nn
     return static_cast<std::uint16_t>(assignment + facts::assignment_to_type);

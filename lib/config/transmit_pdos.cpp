@@ -137,11 +137,9 @@ void resolve_analogue(const parameter::Settings& settings, const parameter::Cata
 }  // namespace
 
 const parameter::Row& scaling_row(const parameter::Row& row, const parameter::Catalogue& catalogue) {
-    const bool is_sensor = row.number >= governor::first_sensor && row.number <= governor::last_sensor;
     const parameter::Row* const measurement =
-        is_sensor && !row.scaling
-            ? catalogue.find(parameter::Device::governor,
-                             static_cast<std::uint16_t>(row.number + facts::sensor_to_measurement))
+        facts::is_sensor(row.number) && !row.scaling
+            ? catalogue.find(parameter::Device::governor, facts::measurement_of(row.number))
             : nullptr;
     return measurement != nullptr ? *measurement : row;
 }

@@ -17,13 +17,6 @@ constexpr std::string_view nameless = "Unnamed";
 constexpr std::array<std::string_view, 7> keywords{"VERSION", "FILTER", "INT", "HEX",
                                                    "FLOAT",   "STRING", "ENUM"};
 
-bool is_digit(char c) {
-    return c >= '0' && c <= '9';
-}
-bool is_letter(char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
-}
-
 void strip_underscores(std::string& name) {
     name.erase(name.find_last_not_of('_') + 1);
 }
@@ -32,7 +25,7 @@ void strip_underscores(std::string& name) {
 std::string joined_words(std::string_view ascii) {
     std::string name;
     for (const char c : ascii) {
-        if (is_letter(c) || is_digit(c) || c == '_') {
+        if (base::is_letter_or_digit(c) || c == '_') {
             name += c;
         } else if (!name.empty() && name.back() != '_') {
             name += '_';
@@ -49,7 +42,7 @@ std::string identifier(std::string_view utf8, std::string_view ending) {
     if (name.empty()) {
         name = nameless;
     }
-    if (is_digit(name.front()) || std::find(keywords.begin(), keywords.end(), name) != keywords.end()) {
+    if (base::is_digit(name.front()) || std::find(keywords.begin(), keywords.end(), name) != keywords.end()) {
         name.insert(0, "_");
     }
     name.resize(std::min(name.size(), longest_name - ending.size()));

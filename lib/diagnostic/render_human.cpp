@@ -37,11 +37,6 @@ std::string plural(std::size_t count, std::string_view noun) {
 
 constexpr std::size_t line_width = 80;
 
-std::size_t width_of(std::string_view text) {
-    return static_cast<std::size_t>(std::count_if(
-        text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
-}
-
 // The words with line ends in between, as they fit behind a lead of that width; the lines that follow begin
 // with `indent`. `last` is one word, blanks or not.
 std::string wrapped(std::size_t lead_width, std::string_view text, std::string_view indent,
@@ -49,10 +44,10 @@ std::string wrapped(std::size_t lead_width, std::string_view text, std::string_v
     std::string result;
     std::size_t column = lead_width;
     const auto add = [&](std::string_view word) {
-        const std::size_t width = width_of(word);
+        const std::size_t width = base::width_of(word);
         const bool fits = result.empty() || column + 1 + width <= line_width;
         result += result.empty() ? "" : fits ? " " : fmt::format("\n{}", indent);
-        column = (fits ? column + (result.empty() ? 0 : 1) : width_of(indent)) + width;
+        column = (fits ? column + (result.empty() ? 0 : 1) : base::width_of(indent)) + width;
         result += word;
     };
     while (!text.empty()) {
@@ -73,7 +68,8 @@ void append_help(std::string& text, std::string_view help) {
     while (!help.empty()) {
         const std::size_t end = std::min(help.find('\n'), help.size());
         const std::string line = base::printable(help.substr(0, end));
-        text += fmt::format("{}{}\n", lead, lead == indent ? line : wrapped(width_of(lead), line, indent));
+        text +=
+            fmt::format("{}{}\n", lead, lead == indent ? line : wrapped(base::width_of(lead), line, indent));
         help.remove_prefix(std::min(end + 1, help.size()));
         lead = indent;
     }
@@ -83,15 +79,15 @@ void append_finding(std::string& text, const Diagnostic& finding, SourceLines& l
     const Colors c = colors_for(finding.level(), color);
     const std::string place = to_text(finding.where);
     const std::string_view level = to_text(finding.level());
-    const std::size_t lead_width = width_of(place) + level.size() + 4;
+    const std::size_t lead_width = base::width_of(place) + level.size() + 4;
     text += fmt::format("{}{}:{} {}{}:{} {}\n", c.bold, place, c.end, c.level, level, c.end,
                         wrapped(lead_width, base::printable(finding.message), "    ",
                                 fmt::format("[{} {}]", finding.rule->code, finding.rule->name)));
     text += lines.excerpt(finding.where, '^', c.level, c.end);
     for (const Related& related : finding.related) {
         const std::string lead = fmt::format("  see {}: ", to_text(related.where));
-        text +=
-            fmt::format("{}{}\n", lead, wrapped(width_of(lead), base::printable(related.message), "      "));
+        text += fmt::format("{}{}\n", lead,
+                            wrapped(base::width_of(lead), base::printable(related.message), "      "));
         text += lines.excerpt(related.where, '-', c.bold, c.end);
     }
     append_help(text, finding.help);

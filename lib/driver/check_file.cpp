@@ -1,6 +1,5 @@
 #include "driver/check_file.hpp"
 
-#include <filesystem>
 #include <utility>
 
 #include "base/files.hpp"
@@ -19,13 +18,6 @@ void report_unreadable(CheckedFile& file, const base::Failure& failure) {
     const diagnostic::Rule& rule =
         too_large ? diagnostic::rules::file_too_large : diagnostic::rules::file_unreadable;
     file.findings.report({&rule, failure.message, {file.path, {}}});
-}
-
-std::string beside(const std::string& file, const std::string& name) {
-    if (file == "-") {
-        return name;
-    }
-    return (std::filesystem::path(file).parent_path() / name).string();
 }
 
 CheckedFile empty_file(const std::string& path) {
@@ -51,7 +43,7 @@ CheckedFile check_file(const std::string& path) {
 CheckedFile check_text(const std::string& path, std::string text) {
     CheckedFile file = empty_file(path);
     const auto load = [&](const std::string& name) {
-        const std::string catalogue_path = beside(path, name);
+        const std::string catalogue_path = base::beside(path, name);
         file.dependencies.push_back(catalogue_path);
         base::Result<std::string> content = base::read_file(catalogue_path, toml::maximum_file_size);
         file.unreadable = file.unreadable || (!content && !content.error().too_large);

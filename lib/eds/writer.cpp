@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 
+#include "base/ascii.hpp"
 #include "dictionary/ascii.hpp"
 
 namespace cgw::eds {
@@ -67,9 +68,7 @@ std::string default_text(const Variable& variable, const Commissioning* node) {
 void text_entry(Section& section, std::string key, std::string_view text) {
     std::string value = dictionary::to_ascii(text);
     std::replace(value.begin(), value.end(), ';', ',');
-    const std::size_t first = std::min(value.find_first_not_of(' '), value.size());
-    value = value.substr(first, value.find_last_not_of(' ') + 1 - first);
-    value = dictionary::shortened(value, longest_line - key.size() - 1);
+    value = dictionary::shortened(base::trimmed(value, " "), longest_line - key.size() - 1);
     section.entry(std::move(key), std::move(value));
 }
 

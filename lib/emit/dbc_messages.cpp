@@ -1,6 +1,7 @@
 // The messages of the gateway: its active PDOs, and the services every CANopen node has.
 #include <fmt/format.h>
 
+#include "base/canopen_text.hpp"
 #include "config/numbers.hpp"
 #include "dbc/names.hpp"
 #include "emit/dbc_parts.hpp"
@@ -27,16 +28,17 @@ dbc::Signal field(const std::string& name, unsigned start_bit, unsigned length) 
 std::string time_text(const config::Pdo& pdo) {
     if (pdo.direction == Direction::receive) {
         return pdo.time.cycles == 0 ? "not monitored"
-                                    : fmt::format("monitored: comes at least every {} ms",
-                                                  milliseconds(pdo.time.effective_us));
+                                    : fmt::format("monitored: comes at least every {}",
+                                                  base::milliseconds_text(pdo.time.effective_us));
     }
-    return pdo.time.cycles == 0 ? "sent when a bit changes"
-                                : fmt::format("sent every {} ms", milliseconds(pdo.time.effective_us));
+    return pdo.time.cycles == 0
+               ? "sent when a bit changes"
+               : fmt::format("sent every {}", base::milliseconds_text(pdo.time.effective_us));
 }
 
 dbc::Message pdo_message(const Plant& plant, const DbcNodes& nodes, const config::Pdo& pdo) {
     const bool transmit = pdo.direction == Direction::transmit;
-    const std::string function = fmt::format("{}PDO{}", transmit ? 'T' : 'R', pdo.number);
+    const std::string function = pdo.name();
     dbc::Message message;
     message.identifier = pdo.cob_id;
     message.name = dbc_message_name(nodes, function);
@@ -48,8 +50,8 @@ dbc::Message pdo_message(const Plant& plant, const DbcNodes& nodes, const config
     const unsigned communication =
         (transmit ? objects::tpdo_communication : objects::rpdo_communication) + offset;
     const unsigned mapping = (transmit ? objects::tpdo_mapping : objects::rpdo_mapping) + offset;
-    message.comment =
-        fmt::format("{} ({:04X}h, {:04X}h), {}", function, communication, mapping, time_text(pdo));
+    message.comment = fmt::format("{} ({}, {}), {}", function, base::object_text(communication),
+                                  base::object_text(mapping), time_text(pdo));
     if (transmit) {
         message.send_type = pdo.time.cycles == 0 ? dbc::SendType::spontaneous : dbc::SendType::cyclic;
         if (pdo.time.cycles != 0) {
@@ -120,7 +122,8 @@ dbc::Message own_heartbeat(const DbcNodes& nodes, const config::Configuration& c
     message.comment = "boot-up only, no heartbeat is set";
     message.send_type = dbc::SendType::spontaneous;
     if (time.cycles != 0) {
-        message.comment = fmt::format("boot-up, and heartbeat every {} ms", milliseconds(time.effective_us));
+        message.comment =
+            fmt::format("boot-up, and heartbeat every {}", base::milliseconds_text(time.effective_us));
         message.send_type = dbc::SendType::cyclic;
         message.cycle_ms = time.effective_ms();
     }
@@ -131,8 +134,8 @@ dbc::Message partner_heartbeat(const DbcNodes& nodes, const config::Configuratio
     const config::CyclicTime& time = configuration.heartbeat_consumer;
     dbc::Message message = heartbeat_message(nodes.partner, nodes.gateway, configuration.partner_node_id);
     message.comment = time.cycles == 0 ? "not monitored by the gateway"
-                                       : fmt::format("monitored by the gateway: comes at least every {} ms",
-                                                     milliseconds(time.effective_us));
+                                       : fmt::format("monitored by the gateway: comes at least every {}",
+                                                     base::milliseconds_text(time.effective_us));
     return message;
 }
 

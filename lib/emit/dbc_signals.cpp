@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "base/canopen_text.hpp"
 #include "config/numbers.hpp"
 #include "dbc/names.hpp"
 #include "emit/dbc_parts.hpp"
@@ -31,7 +32,7 @@ dbc::Signal bit_signal(std::string name, unsigned start_bit, std::string comment
 }
 
 std::string object_text(const config::MappedWord& word) {
-    return fmt::format("{:04X}h:{}", word.index, word.sub_index);
+    return base::object_text(word.index, word.sub_index);
 }
 
 // --- errors and engine state ---

@@ -2,35 +2,32 @@
 // for, so that none is typed into the other one.
 #include <fmt/format.h>
 
-#include <algorithm>
-
+#include "base/text_cells.hpp"
 #include "emit/artefacts.hpp"
+#include "emit/columns.hpp"
+#include "emit/renderings.hpp"
 #include "emit/sheet_rows.hpp"
-#include "emit/text_cells.hpp"
 
 namespace cgw::emit {
 namespace {
 
-constexpr std::array formats{
-    Format{"md", "entry-sheet.md"},
-    Format{"csv", "entry-sheet.csv"},
-    Format{"html", "entry-sheet.html"},
-};
+using parameter::Device;
 
 void markdown_table(std::string& text, const DeviceSheet& sheet, bool only_set) {
     text += "| Device | Number | Parameter | Value | Unit | Default |\n|---|---:|---|---:|---|---:|\n";
     for (const SheetRow& row : sheet.rows) {
         if (row.is_set || !only_set) {
             text += fmt::format("| {} | {} | {} | {} | {} | {} |\n", parameter::to_text(sheet.device),
-                                row.row->number, markdown_cell(row.row->name), row.value,
-                                markdown_cell(row.unit), row.default_value);
+                                row.row->number, base::markdown_cell(row.row->name), row.value,
+                                base::markdown_cell(row.unit), row.default_value);
         }
     }
 }
 
 std::string render_sheet_markdown(const EntrySheet& sheet) {
-    std::string text = fmt::format("# {}\n\nConfiguration `{}`, node {}\n", markdown_cell(heading_of(sheet)),
-                                   sheet.configuration_id, sheet.node_id);
+    std::string text =
+        fmt::format("# {}\n\nConfiguration `{}`, node {}\n", base::markdown_cell(heading_of(sheet)),
+                    sheet.configuration_id, sheet.node_id);
     text += sheet.main_cycle.empty() ? "" : fmt::format("\n{}\n", sheet.main_cycle);
     text += fmt::format("\n{}\n", defaults_remark);
     for (const DeviceSheet& device : sheet.devices) {
@@ -46,30 +43,45 @@ std::string render_sheet_markdown(const EntrySheet& sheet) {
     return text;
 }
 
-void csv_lines(std::string& text, const EntrySheet& sheet, const DeviceSheet& device, bool is_set) {
-    for (const SheetRow& row : device.rows) {
-        if (row.is_set == is_set) {
-            text += fmt::format("{},{},{},{},{},{},{},{},{}\n", parameter::to_text(device.device),
-                                row.row->number, csv_field(row.row->name), row.value, csv_field(row.unit),
-                                row.default_value == "-" ? "" : row.default_value, row.differs ? "yes" : "no",
-                                sheet.configuration_id, csv_field(sheet.title));
-        }
-    }
-}
+struct CsvLine {
+    const EntrySheet& sheet;
+    Device device;
+    const SheetRow& row;
+};
+
+constexpr Column<CsvLine> csv_columns[] = {
+    {"device", [](const CsvLine& line) { return std::string(parameter::to_text(line.device)); }},
+    {"number", [](const CsvLine& line) { return fmt::format("{}", line.row.row->number); }},
+    {"parameter", [](const CsvLine& line) { return std::string(line.row.row->name); }},
+    {"value", [](const CsvLine& line) { return line.row.value; }},
+    {"unit", [](const CsvLine& line) { return line.row.unit; }},
+    {"default",
+     [](const CsvLine& line) { return line.row.default_value == "-" ? "" : line.row.default_value; }},
+    {"differs", [](const CsvLine& line) { return std::string(line.row.differs ? "yes" : "no"); }},
+    {"configuration_id", [](const CsvLine& line) { return line.sheet.configuration_id; }},
+    {"title", [](const CsvLine& line) { return line.sheet.title; }},
+};
 
 // Each parameter once: first what the file sets, then the rest.
 std::string render_sheet_csv(const EntrySheet& sheet) {
-    std::string text = "device,number,parameter,value,unit,default,differs,configuration_id,title\n";
+    constexpr std::span<const Column<CsvLine>> columns = csv_columns;
+    std::string text = csv_heading(columns);
     for (const DeviceSheet& device : sheet.devices) {
-        csv_lines(text, sheet, device, true);
-        csv_lines(text, sheet, device, false);
+        for (const bool is_set : {true, false}) {
+            for (const SheetRow& row : device.rows) {
+                text += row.is_set == is_set ? csv_line(columns, {sheet, device.device, row}) : "";
+            }
+        }
     }
     return text;
 }
 
-// In the order of the formats.
-constexpr std::array renderers{render_sheet_markdown, render_sheet_csv, render_sheet_html};
-static_assert(formats.size() == renderers.size());
+constexpr std::array renderings{
+    Rendering<EntrySheet>{{"md", "entry-sheet.md"}, render_sheet_markdown},
+    Rendering<EntrySheet>{{"csv", "entry-sheet.csv"}, render_sheet_csv},
+    Rendering<EntrySheet>{{"html", "entry-sheet.html"}, render_sheet_html},
+};
+constexpr std::array formats = formats_of(renderings);
 
 }  // namespace
 
@@ -78,11 +90,7 @@ std::span<const Format> entry_sheet_formats() {
 }
 
 base::Bytes emit_entry_sheet(const Plant& plant, const Options& options) {
-    const auto* const format = std::find_if(formats.begin(), formats.end(),
-                                            [&](const Format& row) { return row.name == options.format; });
-    const std::size_t position =
-        format != formats.end() ? static_cast<std::size_t>(format - formats.begin()) : 0;
-    return base::to_bytes(renderers.at(position)(entry_sheet(plant)));
+    return base::to_bytes(find_rendering(renderings, options.format).render(entry_sheet(plant)));
 }
 
 }  // namespace cgw::emit

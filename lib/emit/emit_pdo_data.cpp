@@ -4,8 +4,8 @@
 #include <algorithm>
 
 #include "base/json.hpp"
+#include "emit/columns.hpp"
 #include "emit/pdo_rows.hpp"
-#include "emit/text_cells.hpp"
 
 namespace cgw::emit {
 namespace {
@@ -86,16 +86,38 @@ std::string carried_text(const WordRow& word) {
     return text;
 }
 
-void csv_line(std::string& text, const PdoTable& table, const PdoRow& row, const WordRow& word) {
-    const config::Pdo& pdo = *row.pdo;
-    text += fmt::format("{},{},0x{:03X},{},{},{},{},{},", row.name, to_text(pdo.direction), pdo.cob_id,
-                        to_text(pdo.cob_id_source), pdo.length(), config::transmission_type,
-                        pdo.time.asked_ms, pdo.time.effective_us);
-    text += fmt::format("{},0x{:04X},{},{},{},{},{},", word.position, word.index, word.sub_index,
-                        config::word_bits, word.parameter ? fmt::format("{}", *word.parameter) : "",
-                        csv_field(word.name), csv_field(carried_text(word)));
-    text += fmt::format("{},{},{}\n", table.node_id, table.configuration_id, csv_field(table.title));
+struct CsvLine {
+    const PdoTable& table;
+    const PdoRow& row;
+    const WordRow& word;
+    const config::Pdo& pdo() const { return *row.pdo; }
+};
+
+std::string decimal(unsigned number) {
+    return fmt::format("{}", number);
 }
+
+constexpr Column<CsvLine> csv_columns[] = {
+    {"pdo", [](const CsvLine& line) { return line.row.name; }},
+    {"direction", [](const CsvLine& line) { return std::string(to_text(line.pdo().direction)); }},
+    {"cob_id", [](const CsvLine& line) { return fmt::format("0x{:03X}", line.pdo().cob_id); }},
+    {"cob_id_source", [](const CsvLine& line) { return std::string(to_text(line.pdo().cob_id_source)); }},
+    {"length", [](const CsvLine& line) { return decimal(line.pdo().length()); }},
+    {"transmission_type", [](const CsvLine&) { return decimal(config::transmission_type); }},
+    {"time_ms", [](const CsvLine& line) { return decimal(line.pdo().time.asked_ms); }},
+    {"effective_time_us", [](const CsvLine& line) { return decimal(line.pdo().time.effective_us); }},
+    {"word", [](const CsvLine& line) { return decimal(line.word.position); }},
+    {"index", [](const CsvLine& line) { return fmt::format("0x{:04X}", line.word.index); }},
+    {"sub_index", [](const CsvLine& line) { return decimal(line.word.sub_index); }},
+    {"bits", [](const CsvLine&) { return decimal(config::word_bits); }},
+    {"parameter",
+     [](const CsvLine& line) { return line.word.parameter ? decimal(*line.word.parameter) : std::string(); }},
+    {"name", [](const CsvLine& line) { return line.word.name; }},
+    {"carries", [](const CsvLine& line) { return carried_text(line.word); }},
+    {"node_id", [](const CsvLine& line) { return decimal(line.table.node_id); }},
+    {"configuration_id", [](const CsvLine& line) { return line.table.configuration_id; }},
+    {"title", [](const CsvLine& line) { return line.table.title; }},
+};
 
 }  // namespace
 
@@ -115,13 +137,11 @@ std::string render_json(const PdoTable& table) {
 
 // One line per mapped word, lines end with LF; inactive PDOs have none.
 std::string render_csv(const PdoTable& table) {
-    std::string text =
-        "pdo,direction,cob_id,cob_id_source,length,transmission_type,time_ms,effective_time_us,word,index,"
-        "sub_index,"
-        "bits,parameter,name,carries,node_id,configuration_id,title\n";
+    constexpr std::span<const Column<CsvLine>> columns = csv_columns;
+    std::string text = csv_heading(columns);
     for (const PdoRow& row : table.rows) {
         for (const WordRow& word : row.words) {
-            csv_line(text, table, row, word);
+            text += csv_line(columns, {table, row, word});
         }
     }
     return text;

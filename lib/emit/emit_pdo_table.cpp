@@ -1,21 +1,17 @@
-#include <algorithm>
-
 #include "emit/artefacts.hpp"
 #include "emit/pdo_rows.hpp"
+#include "emit/renderings.hpp"
 
 namespace cgw::emit {
 namespace {
 
-constexpr std::array formats{
-    Format{"text", ""},
-    Format{"md", "pdo-table.md"},
-    Format{"csv", "pdo-table.csv"},
-    Format{"json", "pdo-table.json"},
+constexpr std::array renderings{
+    Rendering<PdoTable>{{"text", ""}, render_text},
+    Rendering<PdoTable>{{"md", "pdo-table.md"}, render_markdown},
+    Rendering<PdoTable>{{"csv", "pdo-table.csv"}, render_csv},
+    Rendering<PdoTable>{{"json", "pdo-table.json"}, render_json},
 };
-
-// In the order of the formats.
-constexpr std::array renderers{render_text, render_markdown, render_csv, render_json};
-static_assert(formats.size() == renderers.size());
+constexpr std::array formats = formats_of(renderings);
 
 }  // namespace
 
@@ -24,11 +20,7 @@ std::span<const Format> pdo_table_formats() {
 }
 
 base::Bytes emit_pdo_table(const Plant& plant, const Options& options) {
-    const auto* const format = std::find_if(formats.begin(), formats.end(),
-                                            [&](const Format& row) { return row.name == options.format; });
-    const std::size_t position =
-        format != formats.end() ? static_cast<std::size_t>(format - formats.begin()) : 0;
-    return base::to_bytes(renderers.at(position)(pdo_table(plant)));
+    return base::to_bytes(find_rendering(renderings, options.format).render(pdo_table(plant)));
 }
 
 }  // namespace cgw::emit

@@ -2,9 +2,10 @@
 
 #include <fmt/format.h>
 
+#include "base/canopen_text.hpp"
+#include "base/text_cells.hpp"
 #include "config/numbers.hpp"
 #include "emit/pdo_rows.hpp"
-#include "emit/text_cells.hpp"
 
 namespace cgw::emit {
 namespace {
@@ -13,7 +14,7 @@ namespace {
 std::string cycle_text(const config::Pdo& pdo) {
     if (pdo.time.asked_ms != 0) {
         const std::string asked = fmt::format("{}", pdo.time.asked_ms);
-        const std::string effective = milliseconds(pdo.time.effective_us);
+        const std::string effective = base::milliseconds(pdo.time.effective_us);
         return asked == effective ? asked : fmt::format("{} -> {}", asked, effective);
     }
     if (!pdo.active) {
@@ -23,12 +24,12 @@ std::string cycle_text(const config::Pdo& pdo) {
 }
 
 std::string identifier_text(const config::Pdo& pdo) {
-    return pdo.cob_id == 0 ? "-" : fmt::format("{:03X}h", pdo.cob_id);
+    return pdo.cob_id == 0 ? "-" : base::identifier_text(pdo.cob_id);
 }
 
 std::string object_text(const WordRow& word) {
-    return word.kind == config::WordKind::dummy ? fmt::format("{:04X}h", word.index)
-                                                : fmt::format("{:04X}h:{}", word.index, word.sub_index);
+    return word.kind == config::WordKind::dummy ? base::object_text(word.index)
+                                                : base::object_text(word.index, word.sub_index);
 }
 
 // A data word names its first sensor itself; the others of a shared channel follow below.
@@ -38,7 +39,7 @@ std::span<const Carried> listed_below(const WordRow& word) {
 }
 
 std::string heading(const PdoTable& table) {
-    return table.title.empty() ? "PDO table" : fmt::format("PDO table: {}", one_line(table.title));
+    return table.title.empty() ? "PDO table" : fmt::format("PDO table: {}", base::one_line(table.title));
 }
 
 constexpr std::string_view legend =
@@ -54,10 +55,11 @@ void text_row(std::string& text, const PdoRow& row) {
         return;
     }
     for (const WordRow& word : row.words) {
-        text += fmt::format("{}{} {:<9}{}\n", head, word.position, object_text(word), one_line(word.label));
+        text +=
+            fmt::format("{}{} {:<9}{}\n", head, word.position, object_text(word), base::one_line(word.label));
         head.assign(head.size(), ' ');
         for (const Carried& carried : listed_below(word)) {
-            text += fmt::format("{}  {}\n", head, one_line(describe(word.kind, carried)));
+            text += fmt::format("{}  {}\n", head, base::one_line(describe(word.kind, carried)));
         }
     }
 }
@@ -71,9 +73,9 @@ void markdown_row(std::string& text, const PdoRow& row) {
     }
     std::string cells = fmt::format("{} {} | {} |", head, pdo.length(), cycle_text(pdo));
     for (const WordRow& word : row.words) {
-        std::string contents = markdown_cell(word.label);
+        std::string contents = base::markdown_cell(word.label);
         for (const Carried& carried : listed_below(word)) {
-            contents += "<br>" + markdown_cell(describe(word.kind, carried));
+            contents += "<br>" + base::markdown_cell(describe(word.kind, carried));
         }
         text += fmt::format("{} {} | {} | {} |\n", cells, word.position, object_text(word), contents);
         cells = "| | | | |";
@@ -94,14 +96,15 @@ std::string render_text(const PdoTable& table) {
 }
 
 std::string render_markdown(const PdoTable& table) {
-    std::string text = fmt::format("# {}\n\nConfiguration `{}`, node {}\n\n", markdown_cell(heading(table)),
-                                   table.configuration_id, table.node_id);
+    std::string text =
+        fmt::format("# {}\n\nConfiguration `{}`, node {}\n\n", base::markdown_cell(heading(table)),
+                    table.configuration_id, table.node_id);
     text += "| PDO | COB-ID | Bytes | Time | Word | Object | Contents |\n";
     text += "|---|---:|---:|---|---:|---|---|\n";
     for (const PdoRow& row : table.rows) {
         markdown_row(text, row);
     }
-    return fmt::format("{}\n{}\n", text, markdown_cell(legend));
+    return fmt::format("{}\n{}\n", text, base::markdown_cell(legend));
 }
 
 }  // namespace cgw::emit

@@ -2,6 +2,7 @@
 // XML.
 #include <fmt/format.h>
 
+#include "base/text_cells.hpp"
 #include "emit/pdo_rows.hpp"
 #include "emit/sheet_rows.hpp"
 
@@ -21,7 +22,7 @@ constexpr std::string_view style =
 
 std::string html_text(std::string_view text) {
     std::string html;
-    for (const char c : one_line(text)) {
+    for (const char c : base::one_line(text)) {
         switch (c) {
             case '&':
                 html += "&amp;";

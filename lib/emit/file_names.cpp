@@ -12,13 +12,9 @@ namespace {
 constexpr std::string_view eds_ending = ".eds";
 constexpr std::size_t longest_name = 64;
 
-bool is_letter_or_digit(char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
-}
-
 bool is_allowed(char c) {
     constexpr std::string_view others = " ._-";
-    return is_letter_or_digit(c) || others.find(c) != std::string_view::npos;
+    return base::is_letter_or_digit(c) || others.find(c) != std::string_view::npos;
 }
 
 bool has_eds_ending(std::string_view name) {
@@ -48,12 +44,12 @@ base::Result<std::string> eds_file_name(std::string_view name) {
     if (!std::all_of(name.begin(), name.end(), is_allowed)) {
         return refuse("it has letters, digits, blanks and . _ - only, and no directory");
     }
-    if (name.empty() || !is_letter_or_digit(name.front())) {
+    if (name.empty() || !base::is_letter_or_digit(name.front())) {
         return refuse("it begins with a letter or digit");
     }
     const std::string complete = has_eds_ending(name) ? std::string(name) : std::string(name) + ".eds";
     const char last = complete[complete.size() - eds_ending.size() - 1];
-    if (!is_letter_or_digit(last) && last != '_' && last != '-') {
+    if (!base::is_letter_or_digit(last) && last != '_' && last != '-') {
         return refuse("no blank or point stands before .eds");
     }
     if (complete.size() > longest_name) {

@@ -3,8 +3,6 @@
 #include <fmt/format.h>
 #include <algorithm>
 
-#include "base/numbers.hpp"
-
 namespace cgw::emit {
 namespace {
 
@@ -66,7 +64,7 @@ WordRow word_row(const Plant& plant, const config::MappedWord& word) {
 
 PdoRow pdo_row(const Plant& plant, const config::Pdo& pdo) {
     PdoRow row;
-    row.name = fmt::format("{}PDO{}", pdo.direction == config::Direction::transmit ? 'T' : 'R', pdo.number);
+    row.name = pdo.name();
     row.pdo = &pdo;
     for (const config::MappedWord& word : pdo.mapping) {
         row.words.push_back(word_row(plant, word));
@@ -88,24 +86,12 @@ PdoTable pdo_table(const Plant& plant) {
     return table;
 }
 
-std::string milliseconds(std::uint32_t microseconds) {
-    return base::to_text(microseconds / 1000.0);
-}
-
 std::string describe(config::WordKind kind, const Carried& carried) {
     std::string label = parameter::label(*carried.row);
     if (kind != WordKind::sensor) {
         label = fmt::format("bit {}{}: {}", carried.position, carried.low_active ? " low-active" : "", label);
     }
     return label;
-}
-
-std::string one_line(std::string_view text) {
-    constexpr unsigned char del = 0x7F;
-    std::string line(text);
-    std::replace_if(
-        line.begin(), line.end(), [](unsigned char c) { return c < ' ' || c == del; }, ' ');
-    return line;
 }
 
 }  // namespace cgw::emit

@@ -46,14 +46,8 @@ struct PdoTable {
 // Refers to the plant, which must outlive it.
 PdoTable pdo_table(const Plant& plant);
 
-// "15.625"
-std::string milliseconds(std::uint32_t microseconds);
-
 // "bit 5 low-active: 835 FunctLoadEnable"; a sensor of a data word is just "900 AssignIn_Setp1Ext".
 std::string describe(config::WordKind kind, const Carried& carried);
-
-// The title and names as one line: control characters become blanks.
-std::string one_line(std::string_view text);
 
 std::string render_text(const PdoTable& table);
 std::string render_markdown(const PdoTable& table);

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "base/numbers.hpp"
+#include "base/text_cells.hpp"
 #include "config/numbers.hpp"
 #include "emit/pdo_rows.hpp"
 
@@ -164,7 +165,7 @@ EntrySheet entry_sheet(const Plant& plant) {
 }
 
 std::string heading_of(const EntrySheet& sheet) {
-    return sheet.title.empty() ? "Entry sheet" : fmt::format("Entry sheet: {}", one_line(sheet.title));
+    return sheet.title.empty() ? "Entry sheet" : fmt::format("Entry sheet: {}", base::one_line(sheet.title));
 }
 
 std::string_view device_heading(Device device) {

@@ -44,11 +44,11 @@ constexpr std::array table{
     AbortCodeRow{0x06070010, "the length does not fit the object", "", ""},
     AbortCodeRow{
         number(AbortCode::length_too_high), "the data are longer than the object",
-        "a write that states more bytes than the object has; it would be refused anyway (0601 0002h)",
+        "a write that states more bytes than the object has; it would be refused anyway (0x06010002)",
         "do not write: the gateway is configured with DcDesk 2000"},
     AbortCodeRow{
         number(AbortCode::length_too_low), "the data are shorter than the object",
-        "a write that states fewer bytes than the object has; it would be refused anyway (0601 0002h)",
+        "a write that states fewer bytes than the object has; it would be refused anyway (0x06010002)",
         "do not write: the gateway is configured with DcDesk 2000"},
     AbortCodeRow{
         number(AbortCode::sub_index_missing), "the object has no entry of this sub-index",

@@ -126,7 +126,7 @@ std::vector<const Row*> rows_numbered_and_named(std::string_view text, const Cat
         blank != std::string_view::npos ? parse_parameter_number(text.substr(0, blank)) : std::nullopt;
     std::vector<const Row*> rows;
     if (number) {
-        const std::string_view name = trimmed(text.substr(blank));
+        const std::string_view name = base::trimmed(text.substr(blank));
         for (const Row* row : rows_of(name, catalogue)) {
             if (row->number == *number) {
                 rows.push_back(row);
@@ -239,7 +239,8 @@ Answer answer_to(std::string_view text, const Catalogue& catalogue) {
         return refused("an empty question");
     }
     if (const std::size_t equals = text.find('='); equals != std::string_view::npos) {
-        return explain_value(trimmed(text.substr(0, equals)), trimmed(text.substr(equals + 1)), catalogue);
+        return explain_value(base::trimmed(text.substr(0, equals)), base::trimmed(text.substr(equals + 1)),
+                             catalogue);
     }
     if (const auto number = parse_parameter_number(text)) {
         return explain_number(*number, catalogue);
@@ -256,7 +257,7 @@ Answer answer_to(std::string_view text, const Catalogue& catalogue) {
 }  // namespace
 
 Answer explain(std::string_view question, const Catalogue& catalogue) {
-    Answer answer = answer_to(trimmed(question), catalogue);
+    Answer answer = answer_to(base::trimmed(question), catalogue);
     answer.question = question;
     return answer;
 }

@@ -80,7 +80,7 @@ std::string_view access_text(const dictionary::Variable* variable) {
 // A value that no parameter decides: vendor number, transmission type.
 std::string value_text(const ObjectDescription& description, const dictionary::Variable& variable) {
     const std::uint32_t value = variable.default_value.number;
-    return description.source.empty() && value != 0 ? fmt::format("{} ({:X}h)", value, value) : "";
+    return description.source.empty() && value != 0 ? fmt::format("{} (0x{:X})", value, value) : "";
 }
 
 std::string entries_text(const dictionary::Object& object) {

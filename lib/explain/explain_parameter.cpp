@@ -145,7 +145,7 @@ std::string bit_text(const Row& row) {
 std::vector<std::string> value_lines(const Row& row) {
     std::vector<std::string> lines;
     for (const parameter::NamedValue& value : row.values) {
-        lines.push_back(fmt::format("{}: {}", value_text(value.value, row.base), value.text));
+        lines.push_back(fmt::format("{}: {}", value_text(row, value.value), value.text));
     }
     return lines;
 }

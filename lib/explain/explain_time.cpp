@@ -1,6 +1,7 @@
 // What the devices make of a time in ms: whole main cycles (D8), and for monitoring the consequence (D9).
 #include <fmt/format.h>
 
+#include "base/canopen_text.hpp"
 #include "config/monitoring_time.hpp"
 #include "config/numbers.hpp"
 #include "explain/entries.hpp"
@@ -35,20 +36,16 @@ constexpr TimeParameter time_parameters[] = {
      config::gateway_main_cycle_us, config::maximum_heartbeat_cycles, true},
 };
 
-std::string milliseconds(std::uint32_t time_us) {
-    constexpr double us_per_ms = 1000;
-    return fmt::format("{} ms", time_us / us_per_ms);
-}
-
 std::vector<std::string> monitoring_lines(const CyclicTime& time, const TimeParameter& parameter) {
     std::vector<std::string> lines;
     if (config::trips_early(time)) {
         lines.push_back(fmt::format("a sender that keeps to {} ms is missed after {} already (D9)",
-                                    time.asked_ms, milliseconds(time.effective_us)));
+                                    time.asked_ms, base::milliseconds_text(time.effective_us)));
         const std::optional<CyclicTime> next =
             config::next_time_that_works(time, parameter.main_cycle_us, parameter.most_cycles);
         lines.push_back(next ? fmt::format("{} ms is the next time that works: {} main cycles, {}",
-                                           next->asked_ms, next->cycles, milliseconds(next->effective_us))
+                                           next->asked_ms, next->cycles,
+                                           base::milliseconds_text(next->effective_us))
                              : "no longer time is possible: let the sender send more often");
     }
     return lines;
@@ -65,13 +62,15 @@ void add_time(Entry& entry, const Row& row, std::uint32_t value) {
         }
         const CyclicTime time = config::cyclic_time(value, parameter.main_cycle_us);
         if (time.cycles > parameter.most_cycles) {
-            entry.add("effective", fmt::format("none: the device counts at most {} main cycles of {}",
-                                               parameter.most_cycles, milliseconds(parameter.main_cycle_us)));
+            entry.add("effective",
+                      fmt::format("none: the device counts at most {} main cycles of {}",
+                                  parameter.most_cycles, base::milliseconds_text(parameter.main_cycle_us)));
             continue;
         }
         entry.add("effective",
-                  fmt::format("{}: {} main cycle{} of {}{}", milliseconds(time.effective_us), time.cycles,
-                              time.cycles == 1 ? "" : "s", milliseconds(parameter.main_cycle_us),
+                  fmt::format("{}: {} main cycle{} of {}{}", base::milliseconds_text(time.effective_us),
+                              time.cycles, time.cycles == 1 ? "" : "s",
+                              base::milliseconds_text(parameter.main_cycle_us),
                               row.device == Device::governor ? ", the default" : ""));
         if (parameter.monitors) {
             entry.add("monitoring", monitoring_lines(time, parameter));

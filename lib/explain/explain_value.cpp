@@ -85,7 +85,7 @@ const NamedBit* find_bit(std::span<const NamedBit> bits, unsigned bit) {
 
 void add_cob_id(Entry& entry, std::uint32_t value) {
     const std::uint32_t identifier = value & facts::cob::highest;
-    entry.add("identifier", fmt::format("{:X}h ({})", identifier, identifier));
+    entry.add("identifier", fmt::format("{} ({})", base::identifier_text(identifier), identifier));
     entry.add("active", (value & facts::pdo_not_valid) != 0 ? "no, bit 31 is set" : "yes, bit 31 is 0");
 }
 
@@ -131,7 +131,7 @@ void add_signed_word(Entry& entry, std::uint32_t value) {
 
 // What has neither bits nor a form of its own.
 void add_number(Entry& entry, std::uint32_t value) {
-    entry.add("number", fmt::format("{} ({:X}h)", value, value));
+    entry.add("number", fmt::format("{} (0x{:X})", value, value));
 }
 
 struct Decoder {
@@ -198,20 +198,9 @@ void add_object_bits(Entry& entry, const ObjectName& name, std::uint32_t value, 
 
 // --- parameters ---
 
-std::string shown_value(const Row& row, std::uint32_t value) {
-    return row.unit.empty() ? value_text(value, row.base)
-                            : fmt::format("{} {}", value_text(value, row.base), row.unit);
-}
-
 std::string range_judgement(const Row& row, std::uint32_t value) {
-    const bool chosen =
-        row.choices.empty() || std::find(row.choices.begin(), row.choices.end(), value) != row.choices.end();
-    const bool inside = value >= row.minimum.value_or(value) && value <= row.maximum.value_or(value);
-    const std::string range = range_text(row);
-    if (range.empty()) {
-        return {};
-    }
-    return fmt::format("{} {}", chosen && inside ? "within" : "outside", range);
+    return row.has_range() ? fmt::format("{} {}", row.allows(value) ? "within" : "outside", range_text(row))
+                           : std::string();
 }
 
 void add_parameter_bits(Entry& entry, const Row& row, std::uint32_t value) {
@@ -231,10 +220,10 @@ void add_parameter_bits(Entry& entry, const Row& row, std::uint32_t value) {
 }  // namespace
 
 Entry parameter_value_entry(const Row& row, std::uint32_t value, const Catalogue& catalogue) {
-    Entry entry{
-        "value",
-        fmt::format("{} {} = {}", program_text(row.device, row.program), label(row), shown_value(row, value)),
-        {}};
+    Entry entry{"value",
+                fmt::format("{} {} = {}", program_text(row.device, row.program), label(row),
+                            quantity_text(row, value)),
+                {}};
     entry.add("meaning", row.text);
     for (const parameter::NamedValue& named : row.values) {
         if (named.value == value) {
@@ -275,7 +264,7 @@ Answer object_value_answer(const ObjectName& name, std::uint32_t value, const Ca
     const unsigned width =
         variable != nullptr ? 8U * object::size_of(variable->type) : word;  // 5.1: manufacturer objects
     if (width < 2 * word && value >> width != 0) {
-        answer.complaint = fmt::format("{:X}h does not fit {}, which has {} bits", value, where, width);
+        answer.complaint = fmt::format("0x{:X} does not fit {}, which has {} bits", value, where, width);
         return answer;
     }
     Entry& entry = answer.entries.emplace_back();

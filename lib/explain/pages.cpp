@@ -236,8 +236,8 @@ std::string abort_section() {
         "| --- | --- | --- | --- |\n";
     for (const AbortCodeRow& row : abort_codes()) {
         if (!row.gateway.empty()) {
-            section += fmt::format("| {:04X} {:04X}h | {} | {} | {} |\n", row.code >> 16U, row.code & 0xFFFFU,
-                                   row.meaning, row.gateway, row.action);
+            section +=
+                fmt::format("| 0x{:08X} | {} | {} | {} |\n", row.code, row.meaning, row.gateway, row.action);
         }
     }
     return section;

@@ -3,15 +3,12 @@
 #include <algorithm>
 #include <string>
 
+#include "base/ascii.hpp"
 #include "base/numbers.hpp"
 
 namespace cgw::explain {
 
 namespace {
-
-bool is_hexadecimal_digit(char c) {
-    return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'f') || (c >= 'A' && c <= 'F');
-}
 
 bool has_prefix(std::string_view text, std::string_view letters) {
     return text.size() > 2 && text[0] == '0' && letters.find(text[1]) != std::string_view::npos;
@@ -19,7 +16,7 @@ bool has_prefix(std::string_view text, std::string_view letters) {
 
 // Digits of `base` only, no sign, at most `highest`.
 std::optional<std::uint32_t> parse_digits(std::string_view text, int base, std::uint32_t highest) {
-    const bool plain = !text.empty() && std::all_of(text.begin(), text.end(), is_hexadecimal_digit);
+    const bool plain = base::consists_of(text, base::hexadecimal_digits);
     const auto value = plain ? base::parse_integer(text, base) : std::nullopt;
     return value && *value <= highest ? std::optional(static_cast<std::uint32_t>(*value)) : std::nullopt;
 }
@@ -90,14 +87,6 @@ std::optional<std::uint32_t> parse_value(std::string_view text) {
     return has_prefix(text, "bB") && !text.ends_with('h')
                ? parse_digits(text.substr(2), binary, highest_number)
                : parse_number(text);
-}
-
-std::string_view trimmed(std::string_view text) {
-    const std::size_t start = text.find_first_not_of(" \t");
-    if (start == std::string_view::npos) {
-        return {};
-    }
-    return text.substr(start, text.find_last_not_of(" \t") - start + 1);
 }
 
 }  // namespace cgw::explain

@@ -27,7 +27,4 @@ std::optional<std::uint32_t> parse_number(std::string_view text);
 // The value of a question "3800=9": such a number, or "0b101".
 std::optional<std::uint32_t> parse_value(std::string_view text);
 
-// Without blanks at both ends.
-std::string_view trimmed(std::string_view text);
-
 }  // namespace cgw::explain

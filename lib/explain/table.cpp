@@ -7,6 +7,8 @@
 
 #include "base/json.hpp"
 #include "base/numbers.hpp"
+#include "base/text_cells.hpp"
+#include "base/utf8.hpp"
 #include "explain/text.hpp"
 
 namespace cgw::explain {
@@ -57,10 +59,10 @@ class TextTable {
         for (const std::size_t column : shown_) {
             std::size_t width = 0;
             for (const Row* row : group.rows) {
-                width = std::max(width, width_of((*row)[column]));
+                width = std::max(width, base::width_of((*row)[column]));
             }
             const bool empty = width == 0;  // nobody misses it
-            widths_.push_back(empty ? 0 : std::max(width, width_of(table.columns[column].title)));
+            widths_.push_back(empty ? 0 : std::max(width, base::width_of(table.columns[column].title)));
             offset_ += column != shown_.back() && !empty ? widths_.back() + gap : 0;
         }
         below_ = offset_ + std::min(narrowest, widths_.back()) > page_width;
@@ -84,7 +86,7 @@ class TextTable {
         for (std::size_t i = 0; i + 1 < shown_.size(); ++i) {
             if (widths_[i] != 0) {
                 const std::string& cell = row[shown_[i]];
-                line += cell + std::string(widths_[i] - width_of(cell) + gap, ' ');
+                line += cell + std::string(widths_[i] - base::width_of(cell) + gap, ' ');
             }
         }
         const std::size_t indent = below_ ? indentation : offset_;
@@ -127,18 +129,6 @@ std::string render_text(const Table& table) {
 
 // --- Markdown ---
 
-// What would end a cell or turn into markup is taken literally.
-std::string markdown_cell(std::string_view text) {
-    std::string cell;
-    for (const char c : text) {
-        if (std::string_view("|\\`*_<[").find(c) != std::string_view::npos) {
-            cell += '\\';
-        }
-        cell += c;
-    }
-    return cell;
-}
-
 std::string render_page(const Table& table) {
     return render_markdown(table, 2);
 }
@@ -173,19 +163,13 @@ std::string render_json(const Table& table) {
     return json.take();
 }
 
-// RFC 4180: quoted where needed, lines end with CR LF.
-std::string csv_cell(std::string_view text) {
-    return text.find_first_of(",\"\r\n") == std::string_view::npos
-               ? std::string(text)
-               : fmt::format("\"{}\"", replaced(text, "\"", "\"\""));
-}
-
+// RFC 4180: lines end with CR LF.
 std::string render_csv(const Table& table) {
     const std::vector<std::size_t> shown = shown_columns(table, in_data);
     std::string text;
     const auto append = [&](auto cell_of) {
         for (const std::size_t column : shown) {
-            text += (column != shown.front() ? "," : "") + csv_cell(cell_of(column));
+            text += (column != shown.front() ? "," : "") + base::csv_field(cell_of(column));
         }
         text += "\r\n";
     };
@@ -221,7 +205,7 @@ std::string render_markdown(const Table& table, std::size_t level) {
         append([&](std::size_t column) { return std::string(table.columns[column].title); });
         append([](std::size_t) { return std::string("---"); });
         for (const Row* row : group.rows) {
-            append([&](std::size_t column) { return markdown_cell((*row)[column]); });
+            append([&](std::size_t column) { return base::markdown_cell((*row)[column]); });
         }
     }
     return text;

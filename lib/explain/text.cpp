@@ -1,4 +1,6 @@
 #include "explain/text.hpp"
+#include "base/ascii.hpp"
+#include "base/utf8.hpp"
 
 #include <algorithm>
 
@@ -6,26 +8,19 @@ namespace cgw::explain {
 
 namespace {
 
-bool is_digit(char c) {
-    return c >= '0' && c <= '9';
-}
-bool is_letter(char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
-}
-
 // "1804h" or "12"
 bool is_number(std::string_view word) {
     if (word.ends_with('h')) {
         word.remove_suffix(1);
-        return !word.empty() && word.find_first_not_of("0123456789ABCDEF") == std::string_view::npos;
+        return base::consists_of(word, "0123456789ABCDEF");
     }
-    return !word.empty() && std::all_of(word.begin(), word.end(), is_digit);
+    return base::consists_of(word, base::digits);
 }
 
 // Takes the next word, or the next single character that belongs to none, off the front.
 std::string_view next_token(std::string_view& text) {
     std::size_t length = 0;
-    while (length < text.size() && (is_digit(text[length]) || is_letter(text[length]))) {
+    while (length < text.size() && base::is_letter_or_digit(text[length])) {
         ++length;
     }
     const std::string_view token = text.substr(0, std::max<std::size_t>(length, 1));
@@ -36,7 +31,7 @@ std::string_view next_token(std::string_view& text) {
 // "TPDO5" and "TPDO16" give "TPDO5..16"
 std::optional<std::string> merged_word(std::string_view first, std::string_view last) {
     std::size_t prefix = 0;
-    while (prefix < first.size() && prefix < last.size() && is_letter(first[prefix]) &&
+    while (prefix < first.size() && prefix < last.size() && base::is_letter(first[prefix]) &&
            first[prefix] == last[prefix]) {
         ++prefix;
     }
@@ -49,11 +44,6 @@ std::optional<std::string> merged_word(std::string_view first, std::string_view 
 
 }  // namespace
 
-std::size_t width_of(std::string_view text) {
-    return static_cast<std::size_t>(std::count_if(
-        text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
-}
-
 std::vector<std::string> wrap(std::string_view text, std::size_t width) {
     std::vector<std::string> lines(1);
     while (!text.empty()) {
@@ -64,7 +54,7 @@ std::vector<std::string> wrap(std::string_view text, std::size_t width) {
         text.remove_prefix(word.size());
         std::string& line = lines.back();
         const std::string gap(line.empty() && lines.size() > 1 ? 0 : blanks, ' ');
-        if (line.empty() || width_of(line) + gap.size() + width_of(word) <= width) {
+        if (line.empty() || base::width_of(line) + gap.size() + base::width_of(word) <= width) {
             line += gap;
             line += word;
         } else if (!word.empty()) {

@@ -1,4 +1,4 @@
-// Text for people: width, wrapping, and several counted texts as one.
+// Text for people: wrapping, and several counted texts as one.
 #pragma once
 
 #include <cstddef>
@@ -10,9 +10,6 @@
 namespace cgw::explain {
 
 inline constexpr std::size_t page_width = 80;  // columns
-
-// Columns that UTF-8 text takes; every character counts one.
-std::size_t width_of(std::string_view text);
 
 // Lines of at most `width` columns, broken at blanks; a longer word has a line of its own. At least one line.
 std::vector<std::string> wrap(std::string_view text, std::size_t width);

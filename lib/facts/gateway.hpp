@@ -50,7 +50,15 @@ inline constexpr std::uint16_t first_canopen_error = 12411;
 inline constexpr std::uint16_t last_canopen_error = 12424;
 
 // Sensor 9nn is shown by measurement 29nn and has its scaling [inference] (D38).
+inline constexpr std::uint16_t first_sensor = 900;
+inline constexpr std::uint16_t last_sensor = 929;
 inline constexpr std::uint16_t sensor_to_measurement = 2000;
+constexpr bool is_sensor(std::uint16_t number) {
+    return number >= first_sensor && number <= last_sensor;
+}
+constexpr std::uint16_t measurement_of(std::uint16_t sensor) {
+    return static_cast<std::uint16_t>(sensor + sensor_to_measurement);
+}
 
 // A switch function 8nn or sensor 9nn has its type in 48nn or 49nn (D27).
 inline constexpr std::uint16_t assignment_to_type = 4000;

@@ -1,8 +1,8 @@
-#include <filesystem>
 #include <map>
 
 #include <fmt/format.h>
 
+#include "base/files.hpp"
 #include "catalogue/catalogue.hpp"
 #include "input/sections.hpp"
 
@@ -14,18 +14,14 @@ using toml::Entry;
 using toml::Kind;
 using toml::Node;
 
-// Where a catalogue's findings point: its name seen from where the user is.
-std::string beside(const std::string& file, const std::string& name) {
-    return file == "-" ? name : (std::filesystem::path(file).parent_path() / name).string();
-}
-
 void read_one_catalogue(Context& context, const Node& name, const CatalogueLoader& load) {
     const base::Result<std::string> text = load(name.text);
     if (!text) {
         context.report(rules::catalogue_unreadable, name.range, text.error().message);
         return;
     }
-    const std::string path = beside(context.path, name.text);
+    // Findings point at the name seen from where the user is.
+    const std::string path = base::beside(context.path, name.text);
     context.file.catalogues.push_back(name.text);
     context.file.sources[path] = *text;
     catalogue::read_catalogue(*text, path, context.catalogue, context.findings);

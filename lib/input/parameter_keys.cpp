@@ -7,6 +7,7 @@
 #include <limits>
 #include <utility>
 
+#include "base/ascii.hpp"
 #include "base/edit_distance.hpp"
 #include "base/numbers.hpp"
 #include "input/required.hpp"
@@ -68,7 +69,7 @@ std::vector<std::string> texts_of(const toml::Entry& entry) {
     constexpr std::size_t longest = 6;  // a number of five digits and one more character
     std::vector<std::string> texts;
     const auto add = [&](std::string text) {
-        if (text.size() <= longest && text.find_first_of("0123456789") != text.npos) {
+        if (text.size() <= longest && text.find_first_of(base::digits) != text.npos) {
             texts.push_back(std::move(text));
         }
     };
@@ -86,21 +87,16 @@ std::vector<std::string> texts_of(const toml::Entry& entry) {
 
 Spelling take_apart(std::string_view key) {
     constexpr std::string_view blanks = " \t";
-    const auto trimmed = [&](std::string_view text) {
-        const std::size_t first = std::min(text.find_first_not_of(blanks), text.size());
-        const std::size_t last = text.find_last_not_of(blanks);
-        return first == text.size() ? std::string_view{} : text.substr(first, last + 1 - first);
-    };
     Spelling spelling;
-    key = trimmed(key);
-    const std::size_t digits = std::min(key.find_first_not_of("0123456789"), key.size());
+    key = base::trimmed(key);
+    const std::size_t digits = std::min(key.find_first_not_of(base::digits), key.size());
     const bool has_number = digits > 0 && (digits == key.size() || blanks.find(key[digits]) != blanks.npos);
     if (!has_number) {
         spelling.name = key;
         return spelling;
     }
     spelling.number_text = key.substr(0, digits);
-    spelling.name = trimmed(key.substr(digits));
+    spelling.name = base::trimmed(key.substr(digits));
     const auto number = base::parse_integer(spelling.number_text);
     const bool has_leading_zero = digits > 1 && key.front() == '0';
     if (number && *number <= std::numeric_limits<std::uint16_t>::max() && !has_leading_zero) {

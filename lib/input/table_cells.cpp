@@ -1,4 +1,5 @@
 #include "input/table_cells.hpp"
+#include "base/ascii.hpp"
 
 #include <algorithm>
 #include <array>
@@ -9,9 +10,7 @@ namespace {
 constexpr std::string_view blanks = " \t\f\r";
 
 std::string_view trimmed(std::string_view text) {
-    const std::size_t first = std::min(text.find_first_not_of(blanks), text.size());
-    text.remove_prefix(first);
-    return text.substr(0, text.find_last_not_of(blanks) + 1);
+    return base::trimmed(text, blanks);
 }
 
 // Length of the markup at the start of `text`, 0 for none.
@@ -104,7 +103,7 @@ class Splitter {
             std::size_t end = std::min(line_.find_first_of(blanks, at), line_.size());
             const std::size_t next = std::min(line_.find_first_not_of(blanks, end), line_.size());
             const bool has_index = cells.size() == 1 && next + 1 < line_.size() && line_[next] == '(' &&
-                                   is_digit(line_[next + 1]);
+                                   base::is_digit(line_[next + 1]);
             end = has_index ? std::min(line_.find_first_of(blanks, next), line_.size()) : end;
             add(cells, line_.substr(at, end - at), false);
             at = std::min(line_.find_first_not_of(blanks, end), line_.size());
@@ -113,8 +112,6 @@ class Splitter {
     }
 
   private:
-    static bool is_digit(char c) { return c >= '0' && c <= '9'; }
-
     void add(std::vector<Cell>& cells, std::string_view raw, bool with_quotes) const {
         const std::string_view cell = trimmed(raw);
         const bool is_quoted = with_quotes && cell.starts_with('"');

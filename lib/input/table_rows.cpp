@@ -18,10 +18,6 @@ namespace {
 namespace rules = diagnostic::rules;
 using parameter::Device;
 
-bool consists_of(std::string_view text, std::string_view characters) {
-    return !text.empty() && text.find_first_not_of(characters) == std::string_view::npos;
-}
-
 bool has_dots(std::string_view text) {
     return text.find("..") != std::string_view::npos || text.find("\xE2\x80\xA6") != std::string_view::npos ||
            text == ":" || text == "\xE2\x8B\xAE";
@@ -56,7 +52,7 @@ bool is_ellipsis(const CellLine& line) {
 bool is_rule(const CellLine& line) {
     bool has_dash = false;
     for (const Cell& cell : line.cells) {
-        if (!cell.text.empty() && !consists_of(cell.text, "-:=+_")) {
+        if (!cell.text.empty() && !base::consists_of(cell.text, "-:=+_")) {
             return false;
         }
         has_dash = has_dash || cell.text.find_first_of("-=_") != std::string::npos;
@@ -71,7 +67,7 @@ bool is_section_number(std::string_view text) {
     for (std::size_t at = 0; at <= text.size();) {
         const std::size_t end = std::min(text.find('.', at), text.size());
         const std::string_view part = text.substr(at, end - at);
-        if (part.size() > 2 || !consists_of(part, "0123456789")) {
+        if (part.size() > 2 || !base::consists_of(part, base::digits)) {
             return false;
         }
         ++parts;
@@ -214,7 +210,7 @@ class RowReader {
     bool is_number(const Cell& cell) {
         const auto number = base::parse_integer(cell.text);
         if (number && !cell.text.starts_with('0') && *number <= 65535 &&
-            consists_of(cell.text, "0123456789")) {
+            base::consists_of(cell.text, base::digits)) {
             return true;
         }
         if (number && cell.text.starts_with('0')) {

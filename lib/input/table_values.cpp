@@ -16,13 +16,7 @@ namespace {
 namespace rules = diagnostic::rules;
 using parameter::Row;
 
-constexpr std::string_view digits = "0123456789";
-constexpr std::string_view hex_digits = "0123456789ABCDEFabcdef";
 constexpr std::size_t longest_number = 15;  // digits that a double still tells apart
-
-bool consists_of(std::string_view text, std::string_view characters) {
-    return !text.empty() && text.find_first_not_of(characters) == std::string_view::npos;
-}
 
 // A unit in one spelling: without brackets, in lower case, and as the catalogue has it.
 std::string canonical_unit(std::string_view text) {
@@ -67,7 +61,7 @@ class ValueReader {
         if (value_.empty()) {
             return refuse(rules::table_row, "has no value");
         }
-        if (consists_of(unit_, "0123456789.,'")) {
+        if (base::consists_of(unit_, "0123456789.,'")) {
             return ambiguous(fmt::format("and another number, {}, follows", unit_),
                              "write the value without thousands separators");
         }
@@ -138,12 +132,13 @@ class ValueReader {
 
     ValueReading read_hexadecimal() const {
         const auto number = base::parse_integer(value_, 16);
-        if (!consists_of(value_, hex_digits) || !number || value_.size() > longest_number) {
+        if (!base::consists_of(value_, base::hexadecimal_digits) || !number ||
+            value_.size() > longest_number) {
             return not_a_number();
         }
         // DcDesk shows such a parameter in decimal: the mark belongs to something else, or the digits do.
         if (row_.base == parameter::Base::decimal && *number > 9) {
-            const bool may_be_decimal = consists_of(value_, digits);
+            const bool may_be_decimal = base::consists_of(value_, base::digits);
             return ambiguous("which is hexadecimal where DcDesk shows decimal",
                              may_be_decimal
                                  ? fmt::format("write {} or {}", *number, without_leading_zeros(value_))
@@ -159,15 +154,15 @@ class ValueReader {
         if (number.size() > longest_number) {
             return not_a_number();
         }
-        if (consists_of(number, digits)) {
+        if (base::consists_of(number, base::digits)) {
             return read_whole(sign, number, says_decimal);
         }
         const bool may_be_hex = row_.base == parameter::Base::hexadecimal && !says_decimal;
-        if (may_be_hex && consists_of(number, hex_digits) && sign.empty()) {
+        if (may_be_hex && base::consists_of(number, base::hexadecimal_digits) && sign.empty()) {
             return read_hexadecimal();
         }
         const std::size_t separator = number.find_first_of(".,");
-        if (separator == std::string::npos || !consists_of(number, "0123456789.,'")) {
+        if (separator == std::string::npos || !base::consists_of(number, "0123456789.,'")) {
             return not_a_number();
         }
         return read_fraction(sign, number.substr(0, separator), number.substr(separator + 1));
@@ -190,10 +185,10 @@ class ValueReader {
 
     ValueReading read_fraction(const std::string& sign, const std::string& whole,
                                const std::string& fraction) const {
-        if (!consists_of(whole, digits)) {
+        if (!base::consists_of(whole, base::digits)) {
             return not_a_number();
         }
-        if (!consists_of(fraction, digits)) {
+        if (!base::consists_of(fraction, base::digits)) {
             return fraction.empty()
                        ? not_a_number()
                        : ambiguous("with more than one separator", "write it without thousands separators");

@@ -7,7 +7,8 @@
 
 namespace cgw::input {
 
-// "outside 1..31", "outside 0..100 s", "none of 125, 250, 500, 1000 kbit/s"; empty when the value is allowed.
+// "outside 1..31", "outside 0..100 s", "none of 125, 250, 500 or 1000 kbit/s"; empty when the value is
+// allowed.
 std::string objection(const parameter::Row& row, double value);
 
 }  // namespace cgw::input

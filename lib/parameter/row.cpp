@@ -1,5 +1,8 @@
 #include "parameter/row.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 #include <fmt/format.h>
 
 namespace cgw::parameter {
@@ -10,6 +13,14 @@ std::string_view to_text(Device device) {
 
 std::string_view to_text(Program program) {
     return program == Program::application ? "application" : "bootloader";
+}
+
+bool Row::allows(double value) const {
+    if (!choices.empty()) {
+        return std::any_of(choices.begin(), choices.end(),
+                           [value](std::uint32_t choice) { return static_cast<double>(choice) == value; });
+    }
+    return std::isfinite(value) && value >= minimum.value_or(value) && value <= maximum.value_or(value);
 }
 
 std::string label(const Row& row) {

@@ -81,6 +81,9 @@ struct Row {
     std::string_view section{};            // "GWM 7.2.4"
     std::span<const std::uint32_t> pages{};  // of the manual, as its list prints them
 
+    bool has_range() const { return minimum || maximum || !choices.empty(); }
+    // Whether the parameter can have this value: one of the choices, or a finite number within the limits.
+    bool allows(double value) const;
     bool settable() const { return list != List::measurement; }
     bool is_bit() const { return width == 1; }
     std::uint16_t array_index() const { return static_cast<std::uint16_t>(number - array_first); }

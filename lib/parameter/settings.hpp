@@ -91,6 +91,9 @@ struct NetworkNode {
     diagnostic::Location where{};
 };
 
+// Bytes of a title: with room for what an EDS adds in its Description of 243 bytes.
+inline constexpr std::size_t longest_title = 200;
+
 struct Settings {
     std::string path{};
     std::string title{};

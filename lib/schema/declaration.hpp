@@ -1,17 +1,19 @@
-// The cells of [[governor.declare]] for editors. catalogue/cells.hpp says which there are and reads them.
+// The cells of [[governor.declare]] for editors. The catalogue says which there are, of what type and within
+// what limits, and reads them; here they get their words.
 #pragma once
 
-#include <span>
+#include <string>
 #include <string_view>
+#include <vector>
 
 namespace cgw::schema {
 
 struct DeclarationCell {
     std::string_view name;
-    std::string_view text;
-    std::string_view facets;  // members of its schema, as JSON
+    std::string text;
+    std::string facets;  // members of its schema beside the type, as JSON
 };
 
-std::span<const DeclarationCell> declaration_cells();
+std::vector<DeclarationCell> declaration_cells();
 
 }  // namespace cgw::schema

@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include "input/required.hpp"
-#include "parameter/range_text.hpp"
+#include "parameter/value_text.hpp"
 #include "schema/parts.hpp"
 #include "schema/spelling.hpp"
 

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "base/ascii.hpp"
 #include "base/numbers.hpp"
 
 namespace cgw::schema {
@@ -15,11 +16,8 @@ constexpr std::string_view blanks = "[ \\t]*";
 std::string any_case(std::string_view name) {
     std::string pattern;
     for (const char c : name) {
-        const bool is_lower = c >= 'a' && c <= 'z';
-        const bool is_upper = c >= 'A' && c <= 'Z';
-        if (is_lower || is_upper) {
-            const char lower = static_cast<char>(is_upper ? c - 'A' + 'a' : c);
-            pattern += fmt::format("[{}{}]", lower, static_cast<char>(lower - 'a' + 'A'));
+        if (base::is_letter(c)) {
+            pattern += fmt::format("[{}{}]", base::lower(c), base::upper(c));
         } else if (c == '(') {
             pattern += " *[(]";
         } else if (c == ')' || c == '.') {

@@ -84,8 +84,7 @@ std::uint16_t reading(const image::Image& image, std::uint16_t number, const Eng
 
 std::uint16_t sensor_word(const image::Image& image, std::uint16_t number, const EngineState& engine,
                           double seconds) {
-    return model_word(image, static_cast<std::uint16_t>(number + sensor_to_measurement), number, engine,
-                      seconds);
+    return model_word(image, facts::measurement_of(number), number, engine, seconds);
 }
 
 }  // namespace cgw::simulation

@@ -6,15 +6,11 @@
 namespace cgw::simulation {
 namespace {
 
-constexpr std::uint16_t first_sensor = 900;
-constexpr std::uint16_t last_sensor = 929;
-
 bool find_scaled_label(const image::Image& image, std::uint16_t number, image::Label& label) {
     if (image.find_label(number, label) && label.has_scaling) {
         return true;
     }
-    const bool sensor = number >= first_sensor && number <= last_sensor;
-    return sensor && image.find_label(static_cast<std::uint16_t>(number + sensor_to_measurement), label) &&
+    return facts::is_sensor(number) && image.find_label(facts::measurement_of(number), label) &&
            label.has_scaling;
 }
 

@@ -5,20 +5,17 @@
 #include <limits>
 #include <string>
 
+#include "base/ascii.hpp"
 #include "base/numbers.hpp"
 
 namespace cgw::toml {
 namespace {
 
-bool is_digit(char c) {
-    return c >= '0' && c <= '9';
-}
-
 bool is_digit_of(char c, int base) {
     if (base <= 10) {
         return c >= '0' && c < '0' + base;
     }
-    return is_digit(c) || (c >= 'a' && c <= 'f') || (c >= 'A' && c <= 'F');
+    return base::is_hexadecimal_digit(c);
 }
 
 // Digits with single underscores between them.
@@ -109,8 +106,9 @@ Literal real(std::string_view token) {
 // `pattern` has d for a digit; anything else stands for itself.
 bool matches(std::string_view text, std::string_view pattern) {
     return text.size() >= pattern.size() &&
-           std::equal(pattern.begin(), pattern.end(), text.begin(),
-                      [](char expected, char c) { return expected == 'd' ? is_digit(c) : expected == c; });
+           std::equal(pattern.begin(), pattern.end(), text.begin(), [](char expected, char c) {
+               return expected == 'd' ? base::is_digit(c) : expected == c;
+           });
 }
 
 int two_digits(std::string_view text) {

@@ -8,7 +8,7 @@
 
 #include "catalogue/catalogue.hpp"
 #include "driver/check_file.hpp"
-#include "parameter/range_text.hpp"
+#include "parameter/value_text.hpp"
 
 namespace cgw {
 namespace {

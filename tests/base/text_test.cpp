@@ -47,6 +47,12 @@ TEST(Utf8, accepts_exactly_the_well_formed_sequences) {
     }
 }
 
+TEST(Utf8, width_counts_characters_not_bytes) {
+    EXPECT_EQ(base::width_of("°C"), 2U);
+    EXPECT_EQ(base::width_of(""), 0U);
+    EXPECT_EQ(base::width_of("mm³"), 3U);
+}
+
 TEST(Printable, lets_nothing_through_that_steers_a_terminal) {
     EXPECT_EQ(base::printable("plain \xC3\xA4 \xE2\x82\xAC"), "plain \xC3\xA4 \xE2\x82\xAC");
     EXPECT_EQ(base::printable("a\x1B[31m\n\x7F"), "a?[31m??");

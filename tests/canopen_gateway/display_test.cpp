@@ -14,9 +14,9 @@ TEST(GatewayDisplay, cuts_long_lines_at_characters_not_bytes) {
 }
 
 TEST(GatewayDisplay, explains_abort_codes) {
-    EXPECT_EQ(abort_text(0x06010002), "abort 06010002h, read-only object");
-    EXPECT_EQ(abort_text(0x06020000), "abort 06020000h, object does not exist");
-    EXPECT_EQ(abort_text(0x12345678), "abort 12345678h");
+    EXPECT_EQ(abort_text(0x06010002), "abort 0x06010002, read-only object");
+    EXPECT_EQ(abort_text(0x06020000), "abort 0x06020000, object does not exist");
+    EXPECT_EQ(abort_text(0x12345678), "abort 0x12345678");
 }
 
 class GatewayDisplayValues : public testing::Test {

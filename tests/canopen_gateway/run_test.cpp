@@ -50,11 +50,11 @@ TEST_F(GatewayRun, shows_what_a_master_sees) {
     EXPECT_EQ(outcome.code, 0) << outcome.error;
     EXPECT_TRUE(outcome.error.empty());
     for (const char* part :
-         {"Genset 2, starboard", "boot-up of node 5", "1000h:0 device type    00020191h",
-          "1018h:1 vendor         00000161h", "1018h:4 serial number  01970102h",
+         {"Genset 2, starboard", "boot-up of node 5", "1000h:0 device type    0x00020191",
+          "1018h:1 vendor         0x00000161", "1018h:4 serial number  0x01970102",
           "the gateway is Operational", "TPDO4 485h every 15.625 ms", "2000 Speed", "1/min",
           "RPDO2 305h changes 900 AssignIn_Setp1Ext", "RPDO1 205h switches 835",
-          "abort 06010002h, read-only object",
+          "abort 0x06010002, read-only object",
           "heartbeats: ", "one every 1008 ms, the last one says Operational", "frames on CAN2, bus load"}) {
         EXPECT_TRUE(contains(outcome.out, part)) << part << "\n" << outcome.out;
     }
@@ -107,8 +107,8 @@ TEST_F(GatewayRun, reports_missing_identity_objects_and_goes_on) {
                   [](const auto& object) { return object.index == 0x1018 || object.index == 0x1017; });
     const Outcome outcome = run_with(plant_.image(), {"--master"});
     EXPECT_EQ(outcome.code, 0);
-    EXPECT_TRUE(contains(outcome.out, "1018h:1 vendor         abort 06020000h, object does not exist"));
-    EXPECT_TRUE(contains(outcome.out, "SDO write to 1017h:0: abort 06020000h, object does not exist"));
+    EXPECT_TRUE(contains(outcome.out, "1018h:1 vendor         abort 0x06020000, object does not exist"));
+    EXPECT_TRUE(contains(outcome.out, "SDO write to 1017h:0: abort 0x06020000, object does not exist"));
 }
 
 TEST_F(GatewayRun, stops_when_the_duration_ends_in_any_step) {

@@ -144,7 +144,7 @@ TEST(Compare, prints_parameters_and_consequences_within_80_columns) {
               "  governor 16402 CanOpTPDO4Assign(2)   2300 -> 2905\n"
               "  governor 16403 CanOpTPDO4Assign(3)   2905 -> 2300\n"
               "  governor 16460 CanOpTPDO4-16Cyc(0)   125 -> 500 ms\n"
-              "  gateway  16415 CanOpTPDO5-16ID(11)   57Fh -> 580h\n"
+              "  gateway  16415 CanOpTPDO5-16ID(11)   0x57F -> 0x580\n"
               "\nWhat follows\n"
               "  TPDO4 cycle                          125 ms -> 500 ms\n"
               "  TPDO4 word 3\n      2300 ActPos\n   -> 2905 OilPressure, moved from word 4\n"

@@ -25,7 +25,7 @@ RunningPlant::RunningPlant(const std::string& path) : file_(driver::check_file(p
 }
 
 const DbcMessage& RunningPlant::message(const config::Pdo& pdo) const {
-    return messages_.at("GW" + std::to_string(configuration().node_id) + "_" + pdo_name(pdo));
+    return messages_.at("GW" + std::to_string(configuration().node_id) + "_" + pdo.name());
 }
 
 void RunningPlant::start() {
@@ -53,10 +53,6 @@ void RunningPlant::send(const DbcMessage& message, const frame::Frame& frame) {
     sent.id = message.id;
     sent.length = static_cast<std::uint8_t>(message.length);
     node_->produce(sent, period);
-}
-
-std::string pdo_name(const config::Pdo& pdo) {
-    return (pdo.direction == config::Direction::transmit ? "TPDO" : "RPDO") + std::to_string(pdo.number);
 }
 
 }  // namespace cgw::test

@@ -52,6 +52,4 @@ class RunningPlant {
     std::unique_ptr<simulation::MasterNode> node_;
 };
 
-std::string pdo_name(const config::Pdo& pdo);  // "TPDO4"
-
 }  // namespace cgw::test

@@ -185,13 +185,14 @@ TEST(PdoTableCsv, quotes_separators_and_quotes) {
 }
 
 TEST(PdoTableCsv, disarms_what_a_spreadsheet_would_run) {
-    for (const std::string title : {"=1+1", "+1", "-1", "@SUM", "\tx"}) {
+    for (const std::string title : {"=1+1", "+A1", "-A1", "@SUM", "\tx"}) {
         EXPECT_NE(csv_of(test::manual_configuration(), title).find(",'" + title + "\n"), std::string::npos)
             << title;
     }
     EXPECT_NE(csv_of(test::manual_configuration(), "=A,B").find(",\"'=A,B\"\n"), std::string::npos);
     EXPECT_NE(csv_of(test::manual_configuration(), "\rx").find(",\"'\rx\"\n"), std::string::npos);
     EXPECT_NE(csv_of(test::manual_configuration(), "1=1").find(",1=1\n"), std::string::npos);
+    EXPECT_NE(csv_of(test::manual_configuration(), "-1").find(",-1\n"), std::string::npos);  // a number
 }
 
 TEST(PdoTableCsv, is_only_a_heading_when_nothing_is_active) {

@@ -122,8 +122,7 @@ TEST(PdoTableMarkdown, reads_as_a_table) {
 
 TEST(PdoTableMarkdown, escapes_what_would_be_markup) {
     const std::string text = table(test::empty_configuration(), "md", "a|b *c* <d> `e` [f](g) \\ # &amp; ~");
-    EXPECT_EQ(text.rfind("# PDO table: a\\|b \\*c\\* \\<d\\> \\`e\\` \\[f\\](g) \\\\ \\# \\&amp; \\~\n", 0),
-              0U)
+    EXPECT_EQ(text.rfind("# PDO table: a\\|b \\*c\\* \\<d> \\`e\\` \\[f](g) \\\\ \\# \\&amp; \\~\n", 0), 0U)
         << text;
 }
 

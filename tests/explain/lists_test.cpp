@@ -67,7 +67,7 @@ TEST_F(ExplainLists, people_see_an_array_in_one_line) {
     const auto identifiers = row(table, "name", "CanOpTPDO5-16ID(0..11)");
     ASSERT_FALSE(identifiers.empty());
     EXPECT_EQ(identifiers[column(table, "number")], "16404..16415");
-    EXPECT_EQ(identifiers[column(table, "range")], "0..7FFh");
+    EXPECT_EQ(identifiers[column(table, "range")], "0..0x7FF");
     EXPECT_EQ(identifiers[column(table, "text")],
               "identifier of TPDO5..16; 0 only while the governor does not send it");
     EXPECT_EQ(identifiers[column(table, "used")], "1804h..180Fh:1, the COB-ID of TPDO5..16");

@@ -8,7 +8,6 @@ using cgw::explain::parse_abort_code;
 using cgw::explain::parse_object;
 using cgw::explain::parse_parameter_number;
 using cgw::explain::parse_value;
-using cgw::explain::trimmed;
 
 int index_of(std::string_view text) {
     const auto object = parse_object(text);
@@ -71,11 +70,6 @@ TEST(ExplainQuery, values_have_every_notation) {
     EXPECT_FALSE(parse_value("-1"));
     EXPECT_FALSE(parse_value("1,5"));
     EXPECT_FALSE(parse_value(""));
-}
-
-TEST(ExplainQuery, blanks_at_the_ends_do_not_count) {
-    EXPECT_EQ(trimmed("  416 \t"), "416");
-    EXPECT_EQ(trimmed("   "), "");
 }
 
 }  // namespace

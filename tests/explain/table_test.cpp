@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <sstream>
 
+#include "base/utf8.hpp"
 #include "explain/text.hpp"
 
 namespace {
@@ -55,7 +56,7 @@ TEST(ExplainTable, the_last_column_moves_below_when_the_others_leave_no_room) {
     EXPECT_NE(text.find("1       apple\n    yyyy"), std::string::npos) << text;
     std::istringstream lines(text);
     for (std::string line; std::getline(lines, line);) {
-        EXPECT_LE(cgw::explain::width_of(line), 80U) << line;
+        EXPECT_LE(cgw::base::width_of(line), 80U) << line;
         EXPECT_FALSE(line.ends_with(' ')) << line;
     }
 }

@@ -6,14 +6,7 @@ namespace {
 
 using cgw::explain::merged_text;
 using cgw::explain::replaced;
-using cgw::explain::width_of;
 using cgw::explain::wrap;
-
-TEST(ExplainText, width_counts_characters_not_bytes) {
-    EXPECT_EQ(width_of("°C"), 2U);
-    EXPECT_EQ(width_of(""), 0U);
-    EXPECT_EQ(width_of("mm³"), 3U);
-}
 
 TEST(ExplainText, wraps_at_blanks) {
     EXPECT_EQ(wrap("one two three", 7), (std::vector<std::string>{"one two", "three"}));

@@ -46,7 +46,7 @@ TEST(InputValues, ranges_are_printed_with_their_unit) {
     EXPECT_EQ(governor_findings("16460 = 65536\n"),
               "E0111 13:9 16460 CanOpTPDO4-16Cyc(0) is 65536, outside 0..65535");
     EXPECT_EQ(gateway_findings("16404 = 0x800\n"),
-              "E0111 13:9 16404 CanOpTPDO5-16ID(0) is 0x800, outside 0x0..0x7FF");
+              "E0111 13:9 16404 CanOpTPDO5-16ID(0) is 0x800, outside 0..0x7FF");
     EXPECT_EQ(governor_findings("4406 = 9223372036854775807\n"),
               "E0111 13:8 4406 CanCommCMOn is 9223372036854775807, outside 0..1");
 }
@@ -92,8 +92,8 @@ TEST(InputValues, bit_rates_are_exactly_the_four) {
     };
     EXPECT_EQ(rate("125"), "fine");
     EXPECT_EQ(rate("1000"), "fine");
-    EXPECT_EQ(rate("200"), "E0111 12:7 416 CanBaudrate is 200, none of 125, 250, 500, 1000 kbit/s");
-    EXPECT_EQ(rate("nan"), "E0111 12:7 416 CanBaudrate is nan, none of 125, 250, 500, 1000 kbit/s");
+    EXPECT_EQ(rate("200"), "E0111 12:7 416 CanBaudrate is 200, none of 125, 250, 500 or 1000 kbit/s");
+    EXPECT_EQ(rate("nan"), "E0111 12:7 416 CanBaudrate is nan, none of 125, 250, 500 or 1000 kbit/s");
 }
 
 TEST(InputValues, a_list_fills_consecutive_numbers) {

@@ -1,28 +1,38 @@
-#include "emit/text_cells.hpp"
+#include "base/text_cells.hpp"
 
-#include "emit/pdo_rows.hpp"
+#include <algorithm>
 
-namespace cgw::emit {
+#include "base/numbers.hpp"
+
+namespace cgw::base {
 namespace {
 
 // Spreadsheets run a cell that begins like this as a formula, wherever the text came from.
 bool looks_like_formula(std::string_view text) {
     constexpr std::string_view starters = "=+-@\t\r";
-    return !text.empty() && starters.find(text.front()) != std::string_view::npos;
+    return !text.empty() && starters.find(text.front()) != std::string_view::npos && !parse_real(text);
 }
 
 }  // namespace
 
+std::string one_line(std::string_view text) {
+    constexpr unsigned char del = 0x7F;
+    std::string line(text);
+    std::replace_if(
+        line.begin(), line.end(), [](unsigned char c) { return c < ' ' || c == del; }, ' ');
+    return line;
+}
+
 std::string markdown_cell(std::string_view text) {
-    constexpr std::string_view special = "\\`*_[]<>#&|~";
-    std::string markdown;
+    constexpr std::string_view special = "\\`*_[<#&|~";
+    std::string cell;
     for (const char c : one_line(text)) {
         if (special.find(c) != std::string_view::npos) {
-            markdown += '\\';
+            cell += '\\';
         }
-        markdown += c;
+        cell += c;
     }
-    return markdown;
+    return cell;
 }
 
 std::string csv_field(std::string_view text) {
@@ -41,4 +51,4 @@ std::string csv_field(std::string_view text) {
     return quoted + '"';
 }
 
-}  // namespace cgw::emit
+}  // namespace cgw::base

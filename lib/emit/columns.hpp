@@ -1,0 +1,38 @@
+// Inside the emit room: the columns of a CSV table, each heading beside what stands below it.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "base/text_cells.hpp"
+
+namespace cgw::emit {
+
+template <typename Line>
+struct Column {
+    std::string_view heading;
+    std::string (*cell)(const Line& line);
+};
+
+template <typename Line>
+std::string csv_heading(std::span<const Column<Line>> columns) {
+    std::string text;
+    for (const Column<Line>& column : columns) {
+        text += text.empty() ? "" : ",";
+        text += base::csv_field(column.heading);
+    }
+    return text + '\n';
+}
+
+template <typename Line>
+std::string csv_line(std::span<const Column<Line>> columns, const Line& line) {
+    std::string text;
+    for (const Column<Line>& column : columns) {
+        text += &column == &columns.front() ? "" : ",";
+        text += base::csv_field(column.cell(line));
+    }
+    return text + '\n';
+}
+
+}  // namespace cgw::emit
