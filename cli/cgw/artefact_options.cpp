@@ -14,7 +14,7 @@ bool is_of_identifier(char c) {
 }
 
 std::string format_of(const Arguments& arguments, const emit::Emitter& emitter) {
-    const std::string name = arguments.value("--format");
+    std::string name = arguments.value("--format");
     if (emit::find_format(emitter, name) == nullptr) {
         std::vector<std::string_view> names;
         for (const emit::Format& format : emitter.formats) {

@@ -41,10 +41,6 @@ constexpr Reserved reserved_identifiers[] = {
     {cob::heartbeat, gateway::partner_node_id, &Configuration::partner_node_id, "the partner's heartbeat"},
 };
 
-std::string pdo_name(const Pdo& pdo) {
-    return fmt::format("{}PDO{}", pdo.direction == config::Direction::transmit ? 'T' : 'R', pdo.number);
-}
-
 // From the free pool, a different one for each TPDO.
 std::string free_identifier_help(const Context& context, const Pdo& pdo) {
     constexpr std::uint16_t count = facts::last_free_identifier - facts::first_free_identifier + 1;
@@ -69,7 +65,7 @@ std::optional<Diagnostic> judge_absent(const Context& context, const Pdo& pdo) {
     finding.message = fmt::format(
         "{} is active, but {} is not set; without it the identifier is 000h, reserved for NMT "
         "commands (manual 7.3)",
-        pdo_name(pdo), identifier_label(context, pdo));
+        pdo.name(), identifier_label(context, pdo));
     const std::uint16_t cycle = config::governor::tpdo_cycle_of(pdo.number);
     if (const Assignment* assignment = usable(context, Device::governor, cycle)) {
         finding.related = {here(*assignment)};
@@ -106,7 +102,7 @@ diagnostic::Related identifier_source(const Context& context, const Pdo& pdo) {
     const std::uint16_t number = predefined ? gateway::node_id : identifier_parameter(pdo);
     const Assignment* source = usable(context, Device::gateway, number);
     return {.where = source != nullptr ? source->where : context.settings.gateway_table,
-            .message = fmt::format("{} has {} from {} here", pdo_name(pdo), identifier_text(pdo.cob_id),
+            .message = fmt::format("{} has {} from {} here", pdo.name(), identifier_text(pdo.cob_id),
                                    owned_label(context, Device::gateway, number))};
 }
 
@@ -121,7 +117,7 @@ std::optional<Diagnostic> judge_duplicate(const Context& context, const Pdo& pdo
     Diagnostic finding = finding_at(context, pdo, rules::cob_id_duplicate);
     finding.message =
         fmt::format("{} is {}, which {} uses already (manual 7.3)", identifier_label(context, pdo),
-                    identifier_text(pdo.cob_id), pdo_name(*earlier));
+                    identifier_text(pdo.cob_id), earlier->name());
     finding.related = {identifier_source(context, *earlier)};
     return finding;
 }

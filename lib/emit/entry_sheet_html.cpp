@@ -18,7 +18,9 @@ constexpr std::string_view style =
     "th, td { border: 1px solid #888; padding: 1mm 2mm; text-align: left }\n"
     ".n { text-align: right; font-variant-numeric: tabular-nums }\n"
     ".done { width: 12mm }\n"
-    ".zero { color: #666 }\n";
+    ".zero { color: #666 }\n"
+    "@media screen { body { padding: 4mm } }\n"
+    "@media (max-width: 140mm) { th, td { padding: 1mm; overflow-wrap: anywhere } .done { width: auto } }\n";
 
 std::string html_text(std::string_view text) {
     std::string html;
@@ -68,7 +70,8 @@ std::string table(const DeviceSheet& sheet, bool only_set, std::string_view done
 std::string render_sheet_html(const EntrySheet& sheet) {
     const std::string heading = html_text(heading_of(sheet));
     std::string text = fmt::format(
-        "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n<title>{}</title>\n"
+        "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n"
+        "<meta name=\"viewport\" content=\"width=device-width\"/>\n<title>{}</title>\n"
         "<style>\n{}</style>\n</head>\n<body>\n<h1>{}</h1>\n<p>Configuration <code>{}</code>, node {}</p>\n",
         heading, style, heading, sheet.configuration_id, sheet.node_id);
     text += sheet.main_cycle.empty() ? "" : fmt::format("<p>{}</p>\n", html_text(sheet.main_cycle));

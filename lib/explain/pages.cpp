@@ -1,10 +1,10 @@
 #include "explain/pages.hpp"
 
 #include <array>
-#include <cctype>
 
 #include <fmt/format.h>
 
+#include "base/ascii.hpp"
 #include "catalogue/errors.hpp"
 #include "catalogue/objects.hpp"
 #include "diagnostic/rules.hpp"
@@ -98,14 +98,6 @@ std::string rule_section(const Rule& rule) {
     return section + example("Broken", rule.example, rule.bad) + example("Kept", rule.example, rule.good);
 }
 
-std::string lower_case(std::string_view text) {
-    std::string lower;
-    for (const char c : text) {
-        lower += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    }
-    return lower;
-}
-
 std::string checks_page(const Catalogue&) {
     struct Part {
         Level level;
@@ -133,7 +125,7 @@ std::string checks_page(const Catalogue&) {
     std::string list = render_markdown(check_list(), heading_of_group);
     for (const Rule* rule : diagnostic::all_rules()) {
         list = replaced(list, fmt::format("| {} |", rule->code),
-                        fmt::format("| [{}](#{}-{}) |", rule->code, lower_case(rule->code), rule->name));
+                        fmt::format("| [{}](#{}-{}) |", rule->code, base::lowered(rule->code), rule->name));
     }
     page += with_ruling_links(list);
     for (const Part& part : parts) {

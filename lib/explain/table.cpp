@@ -49,6 +49,15 @@ std::vector<Group> groups_of(const Table& table) {
     return groups;
 }
 
+// Without the columns in which nothing stands.
+std::vector<std::size_t> filled_columns(const Group& group, std::vector<std::size_t> columns) {
+    std::erase_if(columns, [&](std::size_t column) {
+        return std::all_of(group.rows.begin(), group.rows.end(),
+                           [column](const Row* row) { return (*row)[column].empty(); });
+    });
+    return columns;
+}
+
 // --- table ---
 
 // One group with its title line; columns are as wide as this group needs.
@@ -190,7 +199,7 @@ constexpr std::array formats{
 }  // namespace
 
 std::string render_markdown(const Table& table, std::size_t level) {
-    const std::vector<std::size_t> shown = shown_columns(table, in_page);
+    std::vector<std::size_t> shown;
     std::string text;
     const auto append = [&](auto cell_of) {
         for (const std::size_t column : shown) {
@@ -202,6 +211,7 @@ std::string render_markdown(const Table& table, std::size_t level) {
         if (!group.name.empty()) {
             text += fmt::format("{}{} {}\n\n", text.empty() ? "" : "\n", std::string(level, '#'), group.name);
         }
+        shown = filled_columns(group, shown_columns(table, in_page));
         append([&](std::size_t column) { return std::string(table.columns[column].title); });
         append([](std::size_t) { return std::string("---"); });
         for (const Row* row : group.rows) {
