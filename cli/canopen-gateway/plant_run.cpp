@@ -28,8 +28,8 @@ PlantRun::PlantRun(const image::Image& image, Time duration, std::ostream& out)
       out_(&out),
       end_(duration),
       plant_(image),
-      node_(plant_.bus(), image.can2().own_node, sdo_timeout) {
-    plant_.bus().observe([this](const frame::Frame& frame, Time now) { log_.record(frame, now); });
+      node_(plant_.can2(), image.can2().own_node, sdo_timeout) {
+    plant_.can2().observe([this](const frame::Frame& frame, Time now) { log_.record(frame, now); });
     for (std::size_t position = 0; position < facts::tpdo_count; ++position) {
         const image::Pdo pdo = image.pdo(position);
         if (pdo.active) {
@@ -50,7 +50,7 @@ bool PlantRun::run_until(const std::function<bool()>& reached, Time at_most) {
         if (now() >= target) {
             return false;
         }
-        plant_.bus().run_until(std::min(target, now() + longest_step));
+        plant_.run_until(std::min(target, now() + longest_step));
     }
     return true;
 }

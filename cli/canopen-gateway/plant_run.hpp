@@ -29,7 +29,7 @@ class PlantRun {
     master::Master& master() { return node_.master(); }
     const media::CandumpLog& log() const { return log_; }
     std::uint8_t node_id() const { return image_->can2().own_node; }
-    Time now() { return plant_.bus().now(); }
+    Time now() { return plant_.now(); }
 
     // Runs on for `time`, or less when the duration ends first; false then.
     bool run_for(Time time);

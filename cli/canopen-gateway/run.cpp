@@ -40,7 +40,7 @@ void introduce(const image::Image& image, std::ostream& out) {
 }
 
 void summarise(PlantRun& plant_run, std::ostream& out) {
-    simulation::Bus& bus = plant_run.plant().bus();
+    simulation::Bus& bus = plant_run.plant().can2();
     const canopen::Slave& slave = plant_run.plant().gateway().slave();
     const double load = 100.0 * static_cast<double>(bus.busy_time()) / static_cast<double>(plant_run.now());
     out << fmt::format("{} frames on CAN2, bus load {:.1f} %, gateway {}\n", bus.frames(), load,

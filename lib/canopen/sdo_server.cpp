@@ -79,10 +79,11 @@ void SdoServer::answer(const frame::Frame& request, frame::Frame& reply) {
 }
 
 frame::Frame SdoServer::upload(sdo::Multiplexer object) {
-    const object::ObjectTable::Lookup lookup = objects_.find(object.index, object.sub_index);
+    const object::ObjectTable::Lookup lookup = objects_.find(object.index, object.sub_index, last_found_);
     if (lookup.found != object::Found::yes) {
         return refuse(object, missing(lookup.found));
     }
+    last_found_ = lookup.position;
     if (!readable(lookup.entry)) {
         return refuse(object, AbortCode::write_only);
     }

@@ -51,6 +51,7 @@ class SdoServer {
     std::array<frame::Frame, capacity> waiting_{};  // ring
     std::size_t first_ = 0;
     std::size_t count_ = 0;
+    std::size_t last_found_ = 0;  // masters read one object again and again, or all of them in order
     Counters counters_;
 };
 

@@ -1,12 +1,20 @@
 #include "object/object_table.hpp"
 
+#include <bit>
+
 #include "wire/little_endian.hpp"
 
 namespace cgw::object {
 namespace {
 
+// Index in the upper, sub-index in the lower half: ordered as the records are.
 constexpr std::uint32_t key_of(std::uint16_t index, std::uint8_t sub_index) {
-    return (static_cast<std::uint32_t>(index) << 8) | sub_index;
+    return (static_cast<std::uint32_t>(index) << 16) | sub_index;
+}
+
+// The same of a record, whose first four bytes are index, sub-index and type.
+std::uint32_t key_of(const std::uint8_t* record) {
+    return std::rotl(wire::load_u32(record) << 8, 8);
 }
 
 }  // namespace
@@ -44,29 +52,42 @@ ObjectEntry ObjectTable::entry(std::size_t position) const {
     return decode_object_record(records_ + position * record_size_);
 }
 
-std::uint32_t ObjectTable::key_at(std::size_t position) const {
-    const std::uint8_t* record = records_ + position * record_size_;
-    return key_of(wire::load_u16(record), record[2]);
+// The last record that is not behind the wanted one; halves the rest without a branch on what it reads.
+const std::uint8_t* ObjectTable::search(std::uint32_t wanted) const {
+    const std::uint8_t* base = records_;
+    for (std::size_t rest = count_; rest > 1;) {
+        const std::size_t half = rest / 2;
+        const std::uint8_t* const middle = base + half * record_size_;
+        base = key_of(middle) <= wanted ? middle : base;
+        rest -= half;
+    }
+    return base;
 }
 
 ObjectTable::Lookup ObjectTable::find(std::uint16_t index, std::uint8_t sub_index) const {
+    if (count_ == 0) {
+        return {};
+    }
     const std::uint32_t wanted = key_of(index, sub_index);
-    std::size_t low = 0;
-    std::size_t high = count_;
-    while (low < high) {
-        const std::size_t middle = low + (high - low) / 2;
-        if (key_at(middle) < wanted) {
-            low = middle + 1;
-        } else {
-            high = middle;
+    const std::uint8_t* const record = search(wanted);
+    if (key_of(record) == wanted) {
+        return {Found::yes, decode_object_record(record), position_of(record)};
+    }
+    const std::uint8_t* const next = record + record_size_;
+    const bool before = wire::load_u16(record) == index;
+    const bool after = next != records_ + count_ * record_size_ && wire::load_u16(next) == index;
+    return {before || after ? Found::no_sub_index : Found::no_object, {}, 0};
+}
+
+ObjectTable::Lookup ObjectTable::find(std::uint16_t index, std::uint8_t sub_index, std::size_t guess) const {
+    const std::uint32_t wanted = key_of(index, sub_index);
+    for (std::size_t position = guess; position < count_ && position <= guess + 1; ++position) {
+        const std::uint8_t* const record = records_ + position * record_size_;
+        if (key_of(record) == wanted) {
+            return {Found::yes, decode_object_record(record), position};
         }
     }
-    if (low < count_ && key_at(low) == wanted) {
-        return {Found::yes, entry(low)};
-    }
-    const bool after = low < count_ && (key_at(low) >> 8) == index;
-    const bool before = low > 0 && (key_at(low - 1) >> 8) == index;
-    return {after || before ? Found::no_sub_index : Found::no_object, {}};
+    return find(index, sub_index);
 }
 
 std::uint32_t load_value(std::span<const std::uint8_t> values, const ObjectEntry& entry) {

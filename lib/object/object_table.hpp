@@ -49,12 +49,18 @@ class ObjectTable {
 
     struct Lookup {
         Found found = Found::no_object;
-        ObjectEntry entry;  // meaningful only when found
+        ObjectEntry entry;         // meaningful only when found
+        std::size_t position = 0;  // likewise
     };
     Lookup find(std::uint16_t index, std::uint8_t sub_index) const;
+    // The same, sooner when it is the record at `guess` or the one behind. `guess` may be any number.
+    Lookup find(std::uint16_t index, std::uint8_t sub_index, std::size_t guess) const;
 
   private:
-    std::uint32_t key_at(std::size_t position) const;
+    const std::uint8_t* search(std::uint32_t wanted) const;
+    std::size_t position_of(const std::uint8_t* record) const {
+        return static_cast<std::size_t>(record - records_) / record_size_;
+    }
 
     const std::uint8_t* records_ = nullptr;
     std::size_t record_size_ = object_record_size;

@@ -35,19 +35,32 @@ void Bus::attach_clock(Participant& participant) {
 }
 
 void Bus::run_until(Time end) {
+    Bus* const self = this;
+    run_until({&self, 1}, end);
+}
+
+void Bus::run_until(std::span<Bus* const> buses, Time end) {
     while (true) {
-        poll_all();
-        if (sender_ == nullptr) {
-            start_frame();
+        for (Bus* const bus : buses) {
+            bus->poll_all();
         }
-        const Time next = next_event();
+        Time next = canopen::never;
+        for (Bus* const bus : buses) {
+            if (bus->sender_ == nullptr) {
+                bus->start_frame();
+            }
+            next = std::min(next, bus->next_event());
+        }
+        for (Bus* const bus : buses) {
+            bus->now_ = std::min(next, end);
+        }
         if (next > end) {
-            now_ = end;
             return;
         }
-        now_ = next;
-        if (sender_ != nullptr && now_ == frame_end_) {
-            finish_frame();
+        for (Bus* const bus : buses) {
+            if (bus->sender_ != nullptr && bus->now_ == bus->frame_end_) {
+                bus->finish_frame();
+            }
         }
     }
 }

@@ -5,6 +5,7 @@
 #include <deque>
 #include <functional>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "canopen/protocol.hpp"
@@ -28,6 +29,9 @@ class Participant {
 
 class Bus {
   public:
+    // Several buses at the same time; a participant may have a transceiver on each.
+    static void run_until(std::span<Bus* const> buses, Time end);
+
     using Observer = std::function<void(const frame::Frame&, Time)>;
 
     // 125, 250, 500 or 1000 kbit/s, so that a bit lasts whole microseconds.

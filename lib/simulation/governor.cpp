@@ -6,9 +6,6 @@
 namespace cgw::simulation {
 namespace {
 
-using device::GatewayState;
-using device::GovernorCommand;
-
 constexpr std::uint16_t idle_switch = 811;
 constexpr std::uint16_t setpoint_2_switch = 827;
 constexpr std::uint16_t load_enable_switch = 835;
@@ -46,44 +43,33 @@ std::uint16_t engine_state_word(const EngineState& engine, bool alarm) {
 
 }  // namespace
 
-SimulatedGovernor::SimulatedGovernor(const image::Image& image)
-    : image_(&image), inputs_(image), cycle_(image.governor().main_cycle_us) {}
+SimulatedGovernor::SimulatedGovernor(Bus& can1, const image::Image& image)
+    : image_(&image),
+      link_(can1.attach(*this), *this),
+      inputs_(image),
+      cycle_(image.governor().main_cycle_us) {
+    link_.open(image, boot_);
+}
+
+void SimulatedGovernor::reset() {
+    link_.open(*image_, ++boot_);
+    inputs_.follow({});
+}
 
 Time SimulatedGovernor::poll(Time now) {
     if (now < next_cycle_) {
+        link_.poll();
         return next_cycle_;
     }
     next_cycle_ += cycle_;
     ++main_cycles_;
     run_engine();
-    initialise_gateway(now);
-    gateway_->main_cycle(data(), now);
+    link_.main_cycle(data(), 0, now);
     return next_cycle_;
-}
-
-void SimulatedGovernor::status_changed(const device::GatewayStatus& status) {
-    gateway_state_ = status.state;
-    inputs_.follow(status);
 }
 
 void SimulatedGovernor::process_data(std::uint8_t rpdo, const device::PdoWords& words) {
     inputs_.receive(rpdo, words);
-}
-
-// After a reset of either side: Init, the initialisation telegrams, Pre-Operational (manual, chapter 3).
-void SimulatedGovernor::initialise_gateway(Time now) {
-    if (gateway_state_ != GatewayState::undefined && gateway_state_ != GatewayState::init) {
-        return;
-    }
-    if (initialising_ == 0) {
-        initialising_ = initialisation_cycles;
-        gateway_->command(GovernorCommand::init, now);
-        return;
-    }
-    --initialising_;
-    if (initialising_ == 0) {
-        gateway_->command(GovernorCommand::pre_operational, now);
-    }
 }
 
 void SimulatedGovernor::run_engine() {

@@ -1,51 +1,52 @@
 // A simulated governor at the other end of the governor link: it initialises the gateway, runs an engine,
-// fills the transmit PDOs and obeys what the receive PDOs bring.
+// fills the transmit PDOs and obeys what the receive PDOs bring. It has errors of its own, and those of
+// CANopen.
 #pragma once
 
 #include <cstdint>
 
-#include "device/gateway.hpp"
 #include "device/governor_link.hpp"
 #include "image/image.hpp"
+#include "link/governor_end.hpp"
 #include "simulation/bus.hpp"
 #include "simulation/engine.hpp"
 #include "simulation/inputs.hpp"
 
 namespace cgw::simulation {
 
-class SimulatedGovernor final : public device::GovernorLink, public Participant {
+class SimulatedGovernor final : public link::GovernorListener, public Participant {
   public:
-    // Main cycles the exchange of initialisation telegrams takes here.
-    static constexpr unsigned initialisation_cycles = 3;
-
-    explicit SimulatedGovernor(const image::Image& image);
-
-    // Before the first poll.
-    void connect(device::Gateway& gateway) { gateway_ = &gateway; }
+    // The image outlives the governor.
+    SimulatedGovernor(Bus& can1, const image::Image& image);
 
     Time poll(Time now) override;
-    void status_changed(const device::GatewayStatus& status) override;
+    void receive(const frame::Frame& frame, Time now) override { link_.receive(frame, now); }
+    void gateway_status(const device::GatewayStatus& status) override { inputs_.follow(status); }
     void process_data(std::uint8_t rpdo, const device::PdoWords& words) override;
 
     const Engine& engine() const { return engine_; }
     const CanopenInputs& inputs() const { return inputs_; }
+    const link::GovernorEnd& link() const { return link_; }
+
+    // As if its supply had been interrupted; the engine goes on.
+    void reset();
+    // "Clear errors", which also allows three more attempts at initialisation.
+    void clear_errors() { link_.clear_errors(); }
 
   private:
-    void initialise_gateway(Time now);
     void run_engine();
     double percentage(std::uint16_t sensor_number, double substitute) const;
     device::GovernorData data() const;
     void fill_analogue(device::GovernorData& data) const;
 
     const image::Image* image_;
-    device::Gateway* gateway_ = nullptr;
-    device::GatewayState gateway_state_ = device::GatewayState::undefined;
+    link::GovernorEnd link_;
     CanopenInputs inputs_;
     Engine engine_;
     Time cycle_;
     Time next_cycle_ = 0;
     std::uint64_t main_cycles_ = 0;
-    unsigned initialising_ = 0;  // main cycles left of an initialisation; 0: none under way
+    std::uint8_t boot_ = 1;
 };
 
 }  // namespace cgw::simulation

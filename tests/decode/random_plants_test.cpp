@@ -86,7 +86,7 @@ TEST_P(DecodedRandomPlants, show_the_declared_values) {
 
     unsigned compared = 0;
     const std::uint64_t cycle = running.configuration().main_cycle_us;
-    running.plant().bus().observe([&](const frame::Frame& frame, Time now) {
+    running.plant().can2().observe([&](const frame::Frame& frame, Time now) {
         const double seconds = static_cast<double>((now / cycle + 1) * cycle) / 1e6;
         for (const config::AnalogueOutput& output : running.configuration().analogue_outputs) {
             const config::Pdo& pdo = running.configuration().tpdo(output.tpdo);

@@ -21,7 +21,7 @@ RunningPlant::RunningPlant(const std::string& path) : file_(driver::check_file(p
         throw std::runtime_error(path + ": the image is refused");
     }
     plant_ = std::make_unique<simulation::Plant>(image_);
-    node_ = std::make_unique<simulation::MasterNode>(plant_->bus(), configuration().node_id, second);
+    node_ = std::make_unique<simulation::MasterNode>(plant_->can2(), configuration().node_id, second);
 }
 
 const DbcMessage& RunningPlant::message(const config::Pdo& pdo) const {

@@ -37,7 +37,7 @@ class RunningPlant {
     // or nobody else is there.
     void start();
     void start_alone();
-    void run_for(Time time) { plant_->bus().run_until(plant_->bus().now() + time); }
+    void run_for(Time time) { plant_->run_until(plant_->now() + time); }
     // Encoded by the caller, from now on in every period; the frame has the length of the message.
     void send(const DbcMessage& message, const frame::Frame& frame);
 

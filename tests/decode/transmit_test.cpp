@@ -47,7 +47,7 @@ const Quantity* quantity_of(std::uint16_t number) {
 class Monitor {
   public:
     explicit Monitor(RunningPlant& running) : running_(&running) {
-        running.plant().bus().observe([this](const frame::Frame& frame, Time) { look_at(frame); });
+        running.plant().can2().observe([this](const frame::Frame& frame, Time) { look_at(frame); });
     }
 
     unsigned compared() const { return compared_; }
@@ -158,7 +158,7 @@ TEST(DecodedHeartbeat, shows_the_state_of_the_node) {
     RunningPlant running(CGW_SAMPLES "/genset.toml");
     const DbcMessage& message = running.message("GW12_Heartbeat");
     std::vector<std::string> states;
-    running.plant().bus().observe([&](const frame::Frame& frame, Time) {
+    running.plant().can2().observe([&](const frame::Frame& frame, Time) {
         if (frame.id == message.id) {
             const DbcSignal& state = message.signals.at("State");
             states.push_back(state.values.at(static_cast<unsigned>(state.decode(frame))));

@@ -46,8 +46,8 @@ class PlantTest : public testing::Test {
 TEST_F(PlantTest, boots_and_beats_like_the_manual_says) {
     Plant plant(image_);
     ASSERT_EQ(plant.status(), device::OpenStatus::ok);
-    MasterNode master(plant.bus(), 5, second);
-    plant.bus().run_until(3 * second);
+    MasterNode master(plant.can2(), 5, second);
+    plant.run_until(3 * second);
     ASSERT_EQ(master.boot_ups().size(), 1U);
     EXPECT_LT(master.boot_ups()[0].time, second / 10);
     ASSERT_EQ(master.heartbeats().size(), 2U);
@@ -59,25 +59,25 @@ TEST_F(PlantTest, boots_and_beats_like_the_manual_says) {
 
 TEST_F(PlantTest, boots_once_more_after_a_reset_by_the_master) {
     Plant plant(image_);
-    MasterNode master(plant.bus(), 5, second);
-    plant.bus().run_until(second);
+    MasterNode master(plant.can2(), 5, second);
+    plant.run_until(second);
     master.master().command(NmtCommand::start, 5);
-    plant.bus().run_until(2 * second);
+    plant.run_until(2 * second);
     EXPECT_EQ(plant.gateway().state(), GatewayState::operational);
     master.master().command(NmtCommand::reset_node, 0);
-    plant.bus().run_until(3 * second);
+    plant.run_until(3 * second);
     EXPECT_EQ(master.boot_ups().size(), 2U);
     EXPECT_EQ(plant.gateway().state(), GatewayState::pre_operational);
 }
 
 TEST_F(PlantTest, sends_cyclic_pdos_in_the_rhythm_of_the_governor) {
     Plant plant(image_);
-    MasterNode master(plant.bus(), 5, second);
+    MasterNode master(plant.can2(), 5, second);
     master.master().subscribe(0x485);
     master.master().subscribe(0x282);
-    plant.bus().run_until(second);
+    plant.run_until(second);
     master.master().command(NmtCommand::start, 5);
-    plant.bus().run_until(second + 10 * second);
+    plant.run_until(second + 10 * second);
     EXPECT_NEAR(static_cast<double>(master.received(0x485)->count), 640, 1);
     EXPECT_NEAR(static_cast<double>(master.received(0x282)->count), 640.0 / 12, 1);
     EXPECT_NEAR(speed(master), 1500, 5);
@@ -85,60 +85,60 @@ TEST_F(PlantTest, sends_cyclic_pdos_in_the_rhythm_of_the_governor) {
 
 TEST_F(PlantTest, follows_an_external_setpoint_first_with_the_setpoint_then_with_the_speed) {
     Plant plant(image_);
-    MasterNode master(plant.bus(), 5, second);
+    MasterNode master(plant.can2(), 5, second);
     beat(master);
     master.master().subscribe(0x485);
-    plant.bus().run_until(second);
+    plant.run_until(second);
     master.master().command(NmtCommand::start, 5);
-    plant.bus().run_until(6 * second);
+    plant.run_until(6 * second);
     ASSERT_NEAR(speed(master), 1500, 5);
     produce(master, 0x305, {0xFF, 0xFF});
-    plant.bus().run_until(6 * second + 150'000);
+    plant.run_until(6 * second + 150'000);
     EXPECT_GT(speed(master, 2), speed(master) + 50);  // 2031 SpeedSetp leads
-    plant.bus().run_until(9 * second);
+    plant.run_until(9 * second);
     EXPECT_NEAR(speed(master, 2), 1800, 5);
     EXPECT_NEAR(speed(master), 1800, 5);
 }
 
 TEST_F(PlantTest, obeys_switch_functions) {
     Plant plant(image_);
-    MasterNode master(plant.bus(), 5, second);
+    MasterNode master(plant.can2(), 5, second);
     beat(master);
-    plant.bus().run_until(second);
+    plant.run_until(second);
     master.master().command(NmtCommand::start, 5);
-    plant.bus().run_until(4 * second);
+    plant.run_until(4 * second);
     EXPECT_NEAR(plant.governor().engine().state().load, 0, 0.1);  // 835 counts 0 before RPDO1 came
     produce(master, 0x205, {0x00, 0, 0, 0, 0, 0});                // low-active bit 5
-    plant.bus().run_until(8 * second);
+    plant.run_until(8 * second);
     EXPECT_NEAR(plant.governor().engine().state().load, 60, 0.1);
     produce(master, 0x205, {0x01, 0, 0, 0, 0, 0});
-    plant.bus().run_until(12 * second);
+    plant.run_until(12 * second);
     EXPECT_NEAR(plant.governor().engine().state().speed, idle_speed, 1);
 }
 
 TEST_F(PlantTest, reports_a_missing_sensor_as_an_error_until_it_comes) {
     Plant plant(image_);
-    MasterNode master(plant.bus(), 5, second);
+    MasterNode master(plant.can2(), 5, second);
     beat(master);
     master.master().subscribe(0x185);
-    plant.bus().run_until(second);
+    plant.run_until(second);
     master.master().command(NmtCommand::start, 5);
-    plant.bus().run_until(2 * second);
+    plant.run_until(2 * second);
     EXPECT_EQ(master.received(0x185)->last.data[0], 1U << 5);  // 3005 for sensor 900
     EXPECT_EQ(master.received(0x185)->last.data[1], 1U << 3);  // 3011 for sensor 906
     const std::uint64_t before = master.received(0x185)->count;
     produce(master, 0x305, {0, 0x80});
-    plant.bus().run_until(3 * second);
+    plant.run_until(3 * second);
     EXPECT_EQ(master.received(0x185)->last.data[0], 0U);
     EXPECT_EQ(master.received(0x185)->count, before + 1);
 }
 
 TEST_F(PlantTest, answers_an_sdo_master) {
     Plant plant(image_);
-    MasterNode master(plant.bus(), 5, second);
-    plant.bus().run_until(second);
+    MasterNode master(plant.can2(), 5, second);
+    plant.run_until(second);
     master.master().sdo().upload({0x1018, 1});
-    plant.bus().run_until(second + 10'000);
+    plant.run_until(second + 10'000);
     EXPECT_EQ(master.master().sdo().status(), canopen::SdoClient::Status::done);
     EXPECT_EQ(master.master().sdo().value(), 0x161U);
 }
@@ -146,15 +146,15 @@ TEST_F(PlantTest, answers_an_sdo_master) {
 TEST_F(PlantTest, gives_the_same_log_byte_for_byte) {
     const auto run = [this] {
         Plant plant(image_);
-        MasterNode master(plant.bus(), 5, second);
+        MasterNode master(plant.can2(), 5, second);
         media::CandumpLog log("can0");
-        plant.bus().observe([&log](const frame::Frame& frame, Time now) { log.record(frame, now); });
-        plant.bus().run_until(second);
+        plant.can2().observe([&log](const frame::Frame& frame, Time now) { log.record(frame, now); });
+        plant.run_until(second);
         master.master().command(NmtCommand::start, 5);
-        plant.bus().run_until(2 * second);
+        plant.run_until(2 * second);
         master.master().send_process_data(0x305, std::array<std::uint8_t, 2>{0, 0x80});
         master.master().sdo().upload({0x2001, 1});
-        plant.bus().run_until(5 * second);
+        plant.run_until(5 * second);
         return log.content();
     };
     const base::Bytes first = run();
@@ -167,11 +167,11 @@ TEST_F(PlantTest, works_without_labels) {
     image::Image image;
     ASSERT_EQ(image::Image::open(bytes, image), image::Status::ok);
     Plant plant(image);
-    MasterNode master(plant.bus(), 5, second);
+    MasterNode master(plant.can2(), 5, second);
     master.master().subscribe(0x485);
-    plant.bus().run_until(second);
+    plant.run_until(second);
     master.master().command(NmtCommand::start, 5);
-    plant.bus().run_until(6 * second);
+    plant.run_until(6 * second);
     EXPECT_NEAR(speed(master), 1500, 5);
 }
 

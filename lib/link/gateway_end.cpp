@@ -1,0 +1,261 @@
+#include "link/gateway_end.hpp"
+
+#include "wire/little_endian.hpp"
+
+namespace cgw::link {
+namespace {
+
+using device::Fault;
+using device::GovernorCommand;
+
+// Places in the outbox, the most urgent first.
+enum Place : std::size_t {
+    status_place,
+    refusal_place,
+    first_errors_place,
+    last_errors_place,
+    process_data_place
+};
+
+constexpr std::size_t words_in_first_errors = 4;
+
+}  // namespace
+
+void GatewayEnd::open(const image::Image& image, std::uint8_t boot) {
+    self_.node = image.can1().own_node;
+    governor_.node = image.can1().peer_node;
+    half_ = GovernorHalf(image);
+    boot_ = boot;
+    outbox_.clear();
+    status_ = {};
+    data_ = {};
+    next_status_ = 0;
+    heard_ = false;
+    commanded_ = false;
+    answer_ = Answer::none;
+    configuration_fits_ = false;
+}
+
+void GatewayEnd::receive(const frame::Frame& frame, Time now) {
+    const std::optional<Telegram> telegram = read_telegram(frame);
+    if (!telegram) {
+        return;
+    }
+    if (telegram->from == self_) {
+        strike(Fault::node_number_twice, now);  // somebody else has our number
+    }
+    if (telegram->to != self_ || telegram->from != governor_) {
+        return;
+    }
+    switch (telegram->kind) {
+        case kind_of(Kind::command):
+            obey(*telegram, now);
+            break;
+        case kind_of(Kind::configuration):
+            compare(*telegram);
+            break;
+        case kind_of(Kind::configuration_end):
+            conclude(*telegram);
+            break;
+        case kind_of(Kind::errors_first):
+            take_errors(*telegram);
+            break;
+        case kind_of(Kind::cycle):
+            complete_cycle(*telegram, now);
+            break;
+        default:
+            take_analogue(*telegram);
+            break;
+    }
+    outbox_.send(*port_);
+}
+
+// A command is obeyed once; repeated, it is only acknowledged again.
+void GatewayEnd::obey(const Telegram& telegram, Time now) {
+    if (telegram.length < command::length ||
+        telegram.data[1] > static_cast<std::uint8_t>(GovernorCommand::pre_operational)) {
+        return;
+    }
+    if (!commanded_ || sequence_ != telegram.data[0]) {
+        commanded_ = true;
+        sequence_ = telegram.data[0];
+        obey(static_cast<GovernorCommand>(telegram.data[1]), telegram.data[2], now);
+    }
+    tell_status();
+}
+
+void GatewayEnd::obey(GovernorCommand command, std::uint8_t flags, Time now) {
+    if ((flags & command::gateway_was_reset) != 0) {
+        strike(Fault::gateway_reset, now);
+    }
+    if ((flags & command::given_up) != 0) {
+        strike(Fault::initialisation, now);
+    }
+    if (command == GovernorCommand::init) {
+        configuration_fits_ = false;
+        mismatch_ = false;
+        next_item_ = 0;
+    } else if (command == GovernorCommand::pre_operational && !configuration_fits_) {
+        answer_ = Answer::refused;
+        return;
+    }
+    gateway_->command(command, now);
+    // An error may forbid it.
+    const bool obeyed = command != GovernorCommand::init || gateway_->state() == device::GatewayState::init;
+    answer_ = obeyed ? Answer::accepted : Answer::refused;
+}
+
+void GatewayEnd::strike(Fault fault, Time now) {
+    gateway_->report(fault, true, now);
+    gateway_->report(fault, false, now);
+}
+
+void GatewayEnd::compare(const Telegram& telegram) {
+    if (telegram.length < configuration::length || mismatch_) {
+        return;
+    }
+    const std::uint16_t first = wire::load_u16(telegram.data);
+    if (first != next_item_) {
+        return;  // one is missing; the end will show it
+    }
+    for (std::size_t i = 0; i < configuration::items && next_item_ < half_.count(); ++i, ++next_item_) {
+        const Item expected = half_.item(next_item_);
+        const std::uint16_t received = wire::load_u16(telegram.data + 2 * (i + 1));
+        if (received != expected.value) {
+            mismatch_ = true;
+            refuse({false, expected, received});
+            return;
+        }
+    }
+}
+
+void GatewayEnd::refuse(const Refusal& refusal) {
+    refusal_ = refusal;
+    tell_refusal();
+}
+
+void GatewayEnd::conclude(const Telegram& telegram) {
+    if (telegram.length < configuration::end_length) {
+        return;
+    }
+    const bool again = commanded_ && sequence_ == telegram.data[0];
+    if (!again) {
+        commanded_ = true;
+        sequence_ = telegram.data[0];
+        const bool complete =
+            next_item_ == half_.count() && wire::load_u16(telegram.data + 1) == half_.count();
+        if (!complete && !mismatch_) {
+            refuse({true, {}, 0});
+        }
+        configuration_fits_ = complete && !mismatch_;
+        answer_ = configuration_fits_ ? Answer::accepted : Answer::refused;
+    }
+    tell_status();
+}
+
+void GatewayEnd::take_analogue(const Telegram& telegram) {
+    const unsigned tpdo = telegram.kind - kind_of(Kind::analogue);
+    if (tpdo < device::first_analogue_tpdo || tpdo > facts::tpdo_count ||
+        telegram.length < facts::word_bytes * device::words_per_pdo) {
+        return;
+    }
+    for (std::size_t word = 0; word < device::words_per_pdo; ++word) {
+        data_.analogue[tpdo - device::first_analogue_tpdo][word] =
+            wire::load_u16(telegram.data + facts::word_bytes * word);
+    }
+}
+
+void GatewayEnd::take_errors(const Telegram& telegram) {
+    if (telegram.length < facts::word_bytes * words_in_first_errors) {
+        return;
+    }
+    for (std::size_t word = 0; word < words_in_first_errors; ++word) {
+        data_.errors[word] = wire::load_u16(telegram.data + facts::word_bytes * word);
+    }
+}
+
+void GatewayEnd::complete_cycle(const Telegram& telegram, Time now) {
+    if (telegram.length < cycle::length) {
+        return;
+    }
+    data_.errors[4] = wire::load_u16(telegram.data);
+    data_.errors[5] = wire::load_u16(telegram.data + 2);
+    data_.engine_state = telegram.data[4];
+    const std::uint8_t flags = telegram.data[5];
+    const std::uint8_t boot = telegram.data[6];
+    const std::uint8_t clearings = telegram.data[7];
+    if (heard_ && boot != governor_boot_) {
+        strike(Fault::governor_reset, now);
+    } else if (heard_ && clearings != clearings_) {
+        gateway_->clear_errors(now);
+    }
+    heard_ = true;
+    governor_boot_ = boot;
+    clearings_ = clearings;
+    gateway_->report(Fault::governor_can_bus, (flags & cycle::can_bus_error) != 0, now);
+    gateway_->report(Fault::governor_can_comm, (flags & cycle::can_comm_error) != 0, now);
+    gateway_->main_cycle(data_, now);
+}
+
+Time GatewayEnd::poll(Time now) {
+    if (now >= next_status_) {
+        tell_status();
+        tell_errors();
+        next_status_ = now + status_period;
+    }
+    outbox_.send(*port_);
+    return next_status_;
+}
+
+void GatewayEnd::follow(const device::GatewayStatus& status) {
+    const bool errors = status.errors != status_.errors;
+    status_ = status;
+    tell_status();
+    if (errors) {
+        tell_errors();
+    }
+}
+
+void GatewayEnd::tell_status() {
+    frame::Frame frame = make_telegram(kind_of(Kind::status), self_, governor_, status::length);
+    frame.data[0] = static_cast<std::uint8_t>(status_.state);
+    wire::store_u16(&frame.data[1], status_.canopen_errors);
+    frame.data[3] = status_.late_rpdos;
+    frame.data[4] = status_.heartbeat_lost ? status::heartbeat_lost : std::uint8_t{0};
+    frame.data[5] = boot_;
+    frame.data[6] = sequence_;
+    frame.data[7] = static_cast<std::uint8_t>(commanded_ ? answer_ : Answer::none);
+    outbox_.put(status_place, frame);
+}
+
+void GatewayEnd::tell_errors() {
+    frame::Frame first = make_telegram(kind_of(Kind::own_errors_first), self_, governor_, 8);
+    for (std::size_t word = 0; word < words_in_first_errors; ++word) {
+        wire::store_u16(&first.data[facts::word_bytes * word], status_.errors[word]);
+    }
+    frame::Frame last = make_telegram(kind_of(Kind::own_errors_last), self_, governor_, 4);
+    wire::store_u16(last.data.data(), status_.errors[4]);
+    wire::store_u16(&last.data[2], status_.errors[5]);
+    outbox_.put(first_errors_place, first);
+    outbox_.put(last_errors_place, last);
+}
+
+void GatewayEnd::tell_refusal() {
+    frame::Frame frame = make_telegram(kind_of(Kind::refusal), self_, governor_, refusal::length);
+    frame.data[0] =
+        refusal_.incomplete ? refusal::incomplete : static_cast<std::uint8_t>(refusal_.expected.kind);
+    frame.data[1] = refusal_.expected.position;
+    wire::store_u16(&frame.data[2], refusal_.received);
+    wire::store_u16(&frame.data[4], refusal_.expected.value);
+    outbox_.put(refusal_place, frame);
+}
+
+void GatewayEnd::forward(std::uint8_t rpdo, const device::PdoWords& words) {
+    frame::Frame frame = make_telegram(kind_of(Kind::process_data, rpdo), self_, governor_, 8);
+    for (std::size_t word = 0; word < words.size(); ++word) {
+        wire::store_u16(&frame.data[facts::word_bytes * word], words[word]);
+    }
+    outbox_.put(process_data_place + rpdo - 1U, frame);
+}
+
+}  // namespace cgw::link
