@@ -49,7 +49,7 @@ TEST_F(PlantTest, boots_and_beats_like_the_manual_says) {
     MasterNode master(plant.can2(), 5, second);
     plant.run_until(3 * second);
     ASSERT_EQ(master.boot_ups().size(), 1U);
-    EXPECT_LT(master.boot_ups()[0].time, second / 10);
+    EXPECT_LT(master.boot_ups()[0].time, second / 4);
     ASSERT_EQ(master.heartbeats().size(), 2U);
     EXPECT_EQ(master.heartbeats()[0].state, NmtState::pre_operational);
     EXPECT_NEAR(static_cast<double>(master.heartbeats()[0].time - master.boot_ups()[0].time), 1'008'000,
