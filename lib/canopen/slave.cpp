@@ -55,8 +55,7 @@ Slave::Event Slave::receive(const frame::Frame& frame, Time now) {
         return {};
     }
     if (frame.id == cob::heartbeat + partner_node_) {
-        receive_heartbeat(frame, now);
-        return {};
+        return receive_heartbeat(frame, now);
     }
     return receive_pdo(frame, now);
 }
@@ -82,10 +81,12 @@ Slave::Event Slave::receive_pdo(const frame::Frame& frame, Time now) {
     return {Event::Kind::pdo_received, *row};
 }
 
-void Slave::receive_heartbeat(const frame::Frame& frame, Time now) {
-    if (heartbeat_state(frame)) {
-        heartbeat_monitor_.arrived(now);
+Slave::Event Slave::receive_heartbeat(const frame::Frame& frame, Time now) {
+    if (!heartbeat_state(frame)) {
+        return {};
     }
+    heartbeat_monitor_.arrived(now);
+    return {Event::Kind::heartbeat, 0};
 }
 
 Slave::Event Slave::obey(NmtCommand command, Time now) {

@@ -39,6 +39,7 @@ class Slave {
             state_changed,  // by an NMT command; state() is the new one
             reset,          // 81h or 82h: the slave is initialising until boot_up()
             pdo_received,   // `position`: row of Tables::receive
+            heartbeat,      // of the watched partner
             sdo_overflow,   // more requests than answers can wait; this one is not answered
         };
         Kind kind = Kind::none;
@@ -80,7 +81,7 @@ class Slave {
   private:
     Event receive_sdo(const frame::Frame& frame);
     Event receive_pdo(const frame::Frame& frame, Time now);
-    void receive_heartbeat(const frame::Frame& frame, Time now);
+    Event receive_heartbeat(const frame::Frame& frame, Time now);
     Event obey(NmtCommand command, Time now);
     void enter(NmtState state, Time now);
     void watch(bool operational, Time now);

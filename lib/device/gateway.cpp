@@ -145,13 +145,16 @@ void Gateway::receive(const frame::Frame& frame, canopen::Time now) {
             break;
         case canopen::Slave::Event::Kind::pdo_received:
             forward(event.position);
+            follow_monitors();
+            break;
+        case canopen::Slave::Event::Kind::heartbeat:
+            follow_monitors();
             break;
         case canopen::Slave::Event::Kind::sdo_overflow:
             errors_.strike(Fault::sdo_overflow);
             react(row_of(Fault::sdo_overflow).reaction, now);
             break;
     }
-    follow_monitors();
 }
 
 void Gateway::follow_slave(canopen::Time now) {

@@ -91,11 +91,15 @@ ObjectTable::Lookup ObjectTable::find(std::uint16_t index, std::uint8_t sub_inde
 }
 
 std::uint32_t load_value(std::span<const std::uint8_t> values, const ObjectEntry& entry) {
-    std::uint32_t value = 0;
-    for (std::size_t i = entry.length; i-- > 0;) {
-        value = (value << 8) | values[entry.offset + i];
+    const std::uint8_t* const at = values.data() + entry.offset;
+    switch (entry.length) {
+        case 1:
+            return *at;
+        case 2:
+            return wire::load_u16(at);
+        default:
+            return wire::load_u32(at);
     }
-    return value;
 }
 
 void store_value(std::span<std::uint8_t> values, const ObjectEntry& entry, std::uint32_t value) {
