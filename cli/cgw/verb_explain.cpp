@@ -85,6 +85,7 @@ const Verb explain_verb = {"explain", "say what is behind a number, a name, a va
                            "  416, CanBaudrate, \"416 CanBaudrate\"   a parameter or measurement\n"
                            "  12412, 3074, sensor-error             an error: cause, action, how it clears\n"
                            "  2005h=0x0102, 2411=2, 3800=9          a value: which bits are set, and why\n"
+                           "  827=-5, 900=6, 16400=2000             where a parameter's value leads to\n"
                            "  1018h, 2003h:1, 0x2003:1              an object of the gateway\n"
                            "  0x06010002                            an SDO abort code\n"
                            "  E0203, node-id-duplicate              a finding: why, broken and kept\n"};
