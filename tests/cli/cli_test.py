@@ -187,7 +187,9 @@ class Check(Verb):
                 (False, ["--color", "never"], {"TERM": "xterm"}),
                 (True, ["--color", "always"], {"TERM": "dumb", "NO_COLOR": "1"}),
                 (False, ["--format", "json"], {"TERM": "xterm"}), (False, ["--format", "github"], {"TERM": "xterm"}),
-                (False, ["--format", "concise"], {"TERM": "xterm"})):
+                (False, ["--format", "concise"], {"TERM": "xterm"}),
+                *((False, ["--format", format, "--color", "always"], {"TERM": "xterm"})
+                  for format in ("concise", "github", "json", "sarif"))):
             code, text = self.on_a_terminal("check", path, *arguments, **environment)
             self.assertEqual((code, b"\x1b[" in text), (1, expected), (arguments, environment, text))
 
@@ -423,7 +425,7 @@ class Usage(Verb):
         self.assert_usage("FILE is missing", "emit", "eds")
         self.assert_usage("--eds-name is an option of eds, dcf, dbc, not of image", "emit", "image", GENSET,
                           "--eds-name", "x")
-        for name in ("../x", "a/b.eds", "", ".eds", "x;y", "Gr\u00f6\u00dfe"):
+        for name in ("../x", "a/b.eds", "", ".eds", "x;y", "Gr\u00f6\u00dfe", "x.dcf", "x.xdd"):
             self.assert_usage("is no name for a data sheet", "emit", "eds", GENSET, "--eds-name", name)
             self.assert_usage("is no name for a data sheet", "build", GENSET, "-o", self.dir, "--eds-name", name)
         self.assert_usage("human, concise, json", "check", "--format", "xml", GENSET)
@@ -662,7 +664,8 @@ class Emit(Verb):
         result = cgw("emit", "image", file, "-o", self.dir / "x.bin", "--depfile", self.dir / "x.d")
         self.assertEqual(result.returncode, 0, result.stderr)
         self.assertEqual((self.dir / "x.d").read_text(),
-                         f"{self.dir}/x.bin: \\\n  {self.dir}/with\\ catalogue.toml \\\n  {self.dir}/more.toml\n")
+                         f"{self.dir}/x.bin: \\\n  {self.dir}/with\\ catalogue.toml \\\n  {self.dir}/more.toml\n"
+                         f"{self.dir}/more.toml:\n")
 
     def test_check_tells_fresh_from_stale(self):
         target = self.dir / "x.eds"
