@@ -21,12 +21,23 @@ std::vector<Word> format_words() {
     return words;
 }
 
+// Each as NAME and as no-NAME.
 std::vector<Word> rule_words() {
+    static const std::vector<std::string> hiding = [] {
+        std::vector<std::string> names;
+        for (const diagnostic::Rule* rule : diagnostic::all_rules()) {
+            names.push_back(fmt::format("no-{}", rule->name));
+        }
+        return names;
+    }();
     std::vector<Word> words;
+    auto hide = hiding.begin();
     for (const diagnostic::Rule* rule : diagnostic::all_rules()) {
         if (rule->level != diagnostic::Level::error) {
             words.push_back({rule->name, rule->summary});
+            words.push_back({*hide, rule->summary});
         }
+        ++hide;
     }
     return words;
 }

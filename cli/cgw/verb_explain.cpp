@@ -7,6 +7,7 @@
 #include "cli/cgw/exit_codes.hpp"
 #include "cli/cgw/terminal.hpp"
 #include "cli/cgw/verbs.hpp"
+#include "diagnostic/rules.hpp"
 #include "explain/explain.hpp"
 
 namespace cgw::cli {
@@ -18,11 +19,17 @@ std::vector<Word> answer_format_words() {
     return {{"text", "for people"}, {"json", "one JSON document"}};
 }
 
-// Proposals for completion; any question may be right.
+// Proposals for completion, an example of each form and all findings; any question may be right.
 std::vector<Word> question_words() {
     std::vector<Word> words;
     for (const explain::QuestionForm& form : explain::question_forms()) {
         words.push_back({form.example, form.meaning});
+    }
+    for (const diagnostic::Rule* rule : diagnostic::all_rules()) {
+        for (const std::string_view name : {rule->code, rule->name}) {
+            std::erase_if(words, [name](const Word& word) { return word.name == name; });
+            words.push_back({name, rule->summary});
+        }
     }
     return words;
 }
