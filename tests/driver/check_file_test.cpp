@@ -46,7 +46,7 @@ TEST(CheckFile, checks_a_catalogue_as_one_when_it_may_be_one) {
     EXPECT_TRUE(refused.is_catalogue);
     ASSERT_EQ(refused.findings.all().size(), 1U);
     EXPECT_EQ(refused.findings.all()[0].rule, &diagnostic::rules::key_unknown);
-    EXPECT_EQ(refused.findings.all()[0].where.range.start.line, 7U);
+    EXPECT_EQ(refused.findings.all()[0].where.range.start.line, 8U);
 }
 
 TEST(CheckFile, takes_a_parameter_file_for_no_catalogue) {
