@@ -41,7 +41,7 @@ TEST(CheckFile, checks_a_catalogue_as_one_when_it_may_be_one) {
     EXPECT_TRUE(file.is_catalogue);
     EXPECT_FALSE(file.valid());  // there is nothing to build from
     EXPECT_TRUE(file.findings.all().empty());
-    const std::string wrong = directory.write("wrong.toml", std::string(catalogue_text) + "unti = \"%\"\n");
+    const std::string wrong = directory.write("wrong.toml", std::string(catalogue_text) + "colour = 3\n");
     const CheckedFile refused = check_file_or_catalogue(wrong);
     EXPECT_TRUE(refused.is_catalogue);
     ASSERT_EQ(refused.findings.all().size(), 1U);
