@@ -32,7 +32,7 @@ TEST(CheckFile, reports_a_stream_that_is_too_large_as_a_finding_about_the_file) 
 
 constexpr std::string_view catalogue_text =
     "device = \"governor\"\n[[row]]\nnumber = 2990\nname = \"TorqueActual\"\nkind = \"measurement\"\nwidth = "
-    "16\n";
+    "16\nsigned = false\n";
 
 TEST(CheckFile, checks_a_catalogue_as_one_when_it_may_be_one) {
     const test::ScratchDirectory directory;
