@@ -333,7 +333,7 @@ class EntrySheet(Case):
         text = text.replace("902 = 2 ", "902 = 2 # ")
         plant = self.write("a.toml", text)
         self.assertIn(b"&lt;b&gt;", cgw("emit", "entry-sheet", plant, "--format", "html").stdout)
-        self.assertIn(b",'=1+1 <b>|\n", cgw("emit", "entry-sheet", plant, "--format", "csv").stdout)
+        self.assertIn(b",'=1+1 <b>|,15625\n", cgw("emit", "entry-sheet", plant, "--format", "csv").stdout)
         self.assertIn(b"=1+1 \\<b>\\|\n", cgw("emit", "entry-sheet", plant).stdout)
 
 
