@@ -245,6 +245,7 @@ Answer explain_value(std::string_view left, std::string_view right, const Catalo
         return refused(fmt::format("nothing is known about {}", quoted(left)), did_you_mean(left, catalogue));
     }
     std::vector<Entry> entries;
+    entries.reserve(rows.size());
     for (const Row* row : rows) {
         entries.push_back(parameter_value_entry(*row, *value, catalogue));
     }
