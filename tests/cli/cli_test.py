@@ -715,7 +715,7 @@ class New(Verb):
         path = self.dir / "plant.toml"
         self.assertEqual(cgw("new", "-o", path, "--title", "Genset 2").returncode, 0)
         text = path.read_text()
-        self.assertEqual(re.findall(r'^# FILL IN: .*\n# .*\n# "(.*)" =$', text, re.M), list(self.VALUES))
+        self.assertEqual(re.findall(r'^# FILL IN: .*(?:\n# [^"\n]*)+\n# "(.*)" =$', text, re.M), list(self.VALUES))
         report = json.loads(cgw("check", path, "--format", "json").stdout)
         errors = [f["message"] for f in report["files"][0]["diagnostics"] if f["level"] == "error"]
         self.assertEqual(len(errors), 5, errors)
