@@ -54,13 +54,13 @@ std::string table_row(const SheetRow& row) {
 }
 
 // `done` heads the column that is ticked by hand.
-std::string table(const DeviceSheet& sheet, bool only_set, std::string_view done) {
+std::string table(const DeviceSheet& sheet, bool only_differing, std::string_view done) {
     std::string text = fmt::format(
         "<table>\n<thead><tr><th class=\"n\">Number</th><th>Parameter</th><th class=\"n\">Value</th>"
         "<th>Unit</th><th class=\"n\">Default</th><th class=\"done\">{}</th></tr></thead>\n<tbody>\n",
         done);
     for (const SheetRow& row : sheet.rows) {
-        text += row.is_set || !only_set ? table_row(row) : "";
+        text += row.differs || !only_differing ? table_row(row) : "";
     }
     return text + "</tbody>\n</table>\n";
 }
