@@ -48,8 +48,7 @@ std::string html_text(std::string_view text) {
 
 std::string table_row(const SheetRow& row) {
     return fmt::format(
-        "<tr{}><td class=\"n\">{}</td><td class=\"name\">{}</td><td class=\"n\">{}</td><td "
-        "class=\"name\">{}</td>"
+        "<tr{}><td class=\"n\">{}</td><td class=\"name\">{}</td><td class=\"n\">{}</td><td>{}</td>"
         "<td class=\"n\">{}</td><td class=\"done\"></td></tr>\n",
         row.differs ? "" : " class=\"zero\"", row.row->number, html_text(row.row->name), row.value,
         html_text(row.unit), row.default_value);
