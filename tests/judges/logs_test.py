@@ -34,7 +34,8 @@ def convert(source, target):
 
 
 def seen_by_tshark(file):
-    command = ["tshark", "-r", str(file), "-T", "fields", "-E", "separator=;"]
+    # By itself tshark takes identifier 0 for another protocol than CANopen.
+    command = ["tshark", "-r", str(file), "--disable-protocol", "autosar-nm", "-T", "fields", "-E", "separator=;"]
     for field in FIELDS:
         command += ["-e", field]
     output = subprocess.run(command, check=True, capture_output=True, text=True).stdout
