@@ -95,8 +95,8 @@ bool parse_front(std::string_view& line, LoggedFrame& logged) {
 bool is_error_frame(std::string_view id, std::string_view data) {
     std::uint32_t number = 0;
     frame::Frame ignored;
-    return id.size() == extended_digits && parse(id, 16, number) && number >= error_frame &&
-           number <= error_frame + maximum_extended_id && parse_data(data, ignored);
+    return id.size() == extended_digits && parse(id, 16, number) &&
+           (number & ~maximum_extended_id) == error_frame && parse_data(data, ignored);
 }
 
 // 123##1AABB: a digit of flags, then up to 64 data bytes.

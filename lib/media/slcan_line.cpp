@@ -13,7 +13,9 @@ namespace {
 constexpr char line_end = '\r';
 constexpr char line_feed = '\n';
 constexpr char bell = '\a';
-constexpr std::size_t longest_line = 32;  // T, 8 digits, length, 16 digits, 4 of time
+
+// More than the 30 of T, 8 digits, length, 16 digits, 4 of time: a line that is cut there is no frame.
+constexpr std::size_t longest_line = 32;
 constexpr std::size_t time_digits = 4;
 constexpr std::uint32_t maximum_standard_id = 0x7FF;
 constexpr std::uint32_t maximum_extended_id = 0x1FFF'FFFF;
@@ -128,15 +130,8 @@ std::optional<SlcanEvent> SlcanReader::take(char character) {
     }
     if (line_.size() < longest_line) {
         line_ += character;
-    } else {
-        too_long_ = true;
     }
     return std::nullopt;
-}
-
-void SlcanReader::clear() {
-    line_.clear();
-    too_long_ = false;
 }
 
 std::optional<SlcanEvent> SlcanReader::read_line() const {
@@ -146,7 +141,7 @@ std::optional<SlcanEvent> SlcanReader::read_line() const {
     if (find_kind(line_) == nullptr) {
         return std::nullopt;
     }
-    const std::optional<frame::Frame> frame = too_long_ ? std::nullopt : parse_slcan_line(line_);
+    const std::optional<frame::Frame> frame = parse_slcan_line(line_);
     return frame ? SlcanEvent{SlcanAnswer::frame, *frame} : SlcanEvent{SlcanAnswer::damaged, {}};
 }
 

@@ -36,13 +36,12 @@ struct SlcanEvent {
 class SlcanReader {
   public:
     std::optional<SlcanEvent> take(char character);
-    void clear();
+    void clear() { line_.clear(); }
 
   private:
     std::optional<SlcanEvent> read_line() const;
 
     std::string line_;
-    bool too_long_ = false;
 };
 
 }  // namespace cgw::media

@@ -135,6 +135,14 @@ TEST_F(Slcan, takes_an_adapter_that_answers_nothing_as_one_that_obeys) {
     EXPECT_EQ(events.take(), Events{line(LinkState::up, "the adapter is open at 250 kbit/s")});
 }
 
+TEST_F(Slcan, takes_no_frames_of_a_channel_that_it_has_not_opened_yet) {
+    service(0);
+    service_after("t7050\rt705\r", 50'000);
+    service(100'000);
+    service_after("t7050\rt705\r", 110'000);
+    EXPECT_EQ(events.take(), Events{});
+}
+
 TEST_F(Slcan, takes_frames) {
     open();
     service_after("t181211A2\rT000123450\rr7050\r", 200'000);

@@ -85,11 +85,21 @@ cansend vcan0 130#01
 wait_for check 1 'frame 130#01'
 say "down and up"
 
+# What came before the interface went down is not lost.
+kill -STOP $check
+cansend vcan0 7A2#
+ip link set vcan0 down
+kill -CONT $check
+wait_for check 3 'down vcan0: the interface is down'
+ip link set vcan0 up
+wait_for check 3 'up vcan0: the interface is up'
+say "down behind a frame"
+
 ip link del vcan0
 wait_for check 1 'down vcan0: there is no such interface'
 ip link add dev vcan0 type vcan
 ip link set vcan0 up
-wait_for check 3 'up vcan0: the interface is up'
+wait_for check 4 'up vcan0: the interface is up'
 cansend vcan0 132#02
 wait_for check 1 'frame 132#02'
 say "removed and added"
@@ -103,7 +113,7 @@ cansend vcan0 20000004#0001000000000000
 wait_for check 1 'lost 1$'
 cansend vcan0 20000040#0000000000000000
 wait_for check 1 'bus-off'
-wait_for check 4 'up vcan0: the interface is up'
+wait_for check 5 'up vcan0: the interface is up'
 say "controller reports"
 
 # More frames than the kernel keeps for a program that does not take them. Its count comes with the next frame.

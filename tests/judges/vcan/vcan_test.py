@@ -105,7 +105,7 @@ def problems_of(found):
         del seen[seen.index(gone) - 1]
     expect("events", seen,
            [down, up, "frame 123#1122334455667788", "frame 00012345#01", "frame 200#R", "frame 000#",
-            down, up, "frame 130#01", gone, up, "frame 132#02",
+            down, up, "frame 130#01", "frame 7A2#", down, up, gone, up, "frame 132#02",
             "up vcan0: the controller is error-passive: nobody acknowledges, or the bus is disturbed",
             "up vcan0: the controller is error-active again", "lost 1",
             "down vcan0: the controller is bus-off", up, "frame 7A1#", "frame 7F0#", "frame 7FF#"])
