@@ -1,15 +1,18 @@
 // A program on a CAN interface, for the test in tests/judges/vcan: prints what its channel hears and answers
 // frames.
 //   media_vcan_check INTERFACE
+//   media_vcan_check TTY KBIT      on a serial adapter
 // A frame below 700h is answered with the next identifier; 7F0h starts a burst of 20 frames 500h; 7FFh ends
 // the program.
 #include <poll.h>
 
 #include <chrono>
 #include <cstdio>
+#include <cstdlib>
 #include <deque>
 
 #include "channel_events.hpp"
+#include "media/slcan_channel.hpp"
 #include "media/socketcan_channel.hpp"
 #include "support/recording_port.hpp"
 
@@ -82,11 +85,13 @@ class Program final : public media::ChannelListener {
 }  // namespace
 
 int main(int count, char** arguments) {
-    if (count != 2) {
-        fmt::print(stderr, "usage: media_vcan_check INTERFACE\n");
+    if (count != 2 && count != 3) {
+        fmt::print(stderr, "usage: media_vcan_check INTERFACE | TTY KBIT\n");
         return 2;
     }
-    const auto channel = media::open_socketcan(arguments[1]);
+    const auto channel =
+        count == 2 ? media::open_socketcan(arguments[1])
+                   : media::open_slcan(arguments[1], static_cast<unsigned>(std::atoi(arguments[2])));
     if (!channel) {
         fmt::print("{}\n", channel.error().message);
         return 1;

@@ -7,10 +7,12 @@ mkdir -p /proc /sys /dev /tmp
 mount -t proc proc /proc
 mount -t sysfs sysfs /sys
 mount -t devtmpfs devtmpfs /dev
+mkdir -p /dev/pts
+mount -t devpts devpts /dev/pts
 
 say() { echo "$*" >>/tmp/progress; }
 finish() {
-  for file in progress refused check candump burst; do
+  for file in progress refused check candump burst serial adapter; do
     echo "== $file"
     cat /tmp/$file 2>/dev/null
   done
@@ -49,7 +51,7 @@ stop_recording() {
   wait $recorder
 }
 
-touch /tmp/progress /tmp/refused /tmp/check /tmp/candump /tmp/burst
+touch /tmp/progress /tmp/refused /tmp/check /tmp/candump /tmp/burst /tmp/serial /tmp/adapter
 media_vcan_check vcan0 >>/tmp/refused 2>&1
 for module in can can-raw can-dev vcan sch_tbf; do
   insmod /modules/$module.ko || fail "insmod $module"
@@ -139,4 +141,36 @@ stop_recording
 cansend vcan0 7FF#
 wait $check
 say "ended with $?"
+/bin/tc qdisc del dev vcan0 root
+
+# A serial adapter: slcanpty of can-utils speaks slcan on a pseudo terminal, with vcan0 behind it.
+plug_in() {
+  slcanpty /dev/ptmx vcan0 >/dev/null 2>&1 &
+  adapter=$!
+  tries=0
+  until [ -e /dev/pts/0 ]; do
+    tries=$((tries + 1))
+    [ $tries -lt 300 ] || fail "slcanpty does not come"
+    sleep 0.1
+  done
+}
+plug_in
+media_vcan_check /dev/pts/0 250 >/tmp/serial 2>&1 &
+check=$!
+wait_for serial 1 'up /dev/pts/0'
+record adapter
+cansend vcan0 123#1122334455667788
+wait_for adapter 1 124#1122334455667788
+cansend vcan0 00012345#01
+wait_for adapter 1 00012346#01
+cansend vcan0 200#R
+wait_for adapter 1 201#R
+stop_recording
+kill $adapter
+wait_for serial 1 'down /dev/pts/0: the adapter is gone'
+plug_in
+wait_for serial 2 'up /dev/pts/0'
+cansend vcan0 7FF#
+wait $check
+say "serial ended with $?"
 finish
