@@ -4,6 +4,8 @@
 
 #include <charconv>
 
+#include "base/ascii.hpp"
+
 namespace cgw::media {
 namespace {
 
@@ -13,6 +15,7 @@ constexpr std::size_t extended_digits = 8;
 constexpr std::size_t fraction_digits = 6;
 constexpr std::uint32_t maximum_standard_id = 0x7FF;
 constexpr std::uint32_t maximum_extended_id = 0x1FFF'FFFF;
+constexpr std::uint32_t error_frame = 0x2000'0000;
 
 // The whole of `text` as an unsigned number.
 template <typename Number>
@@ -70,6 +73,53 @@ bool parse_data(std::string_view text, frame::Frame& frame) {
     return true;
 }
 
+// What stands before the identifier; the identifier and what follows it stay in `line`.
+bool parse_front(std::string_view& line, LoggedFrame& logged) {
+    if (line.empty() || line.front() != '(') {
+        return false;
+    }
+    line.remove_prefix(1);
+    const std::optional<std::string_view> time = cut(line, ')');
+    if (!time || !parse_time(*time, logged.time_us) || line.empty() || line.front() != ' ') {
+        return false;
+    }
+    line.remove_prefix(1);
+    const std::optional<std::string_view> interface_name = cut(line, ' ');
+    if (!interface_name || interface_name->empty()) {
+        return false;
+    }
+    logged.interface_name = *interface_name;
+    return true;
+}
+
+bool is_error_frame(std::string_view id, std::string_view data) {
+    std::uint32_t number = 0;
+    frame::Frame ignored;
+    return id.size() == extended_digits && parse(id, 16, number) &&
+           (number & ~maximum_extended_id) == error_frame && parse_data(data, ignored);
+}
+
+// 123##1AABB: a digit of flags, then up to 64 data bytes.
+bool is_fd_frame(std::string_view id, std::string_view data) {
+    constexpr std::size_t longest = 2 + 2 * 64;
+    frame::Frame ignored;
+    return parse_id(id, ignored) && data.size() >= 2 && data.size() <= longest && data.size() % 2 == 0 &&
+           data.front() == '#' && base::consists_of(data.substr(1), base::hexadecimal_digits);
+}
+
+bool is_to_pass_over(std::string_view line) {
+    LoggedFrame ignored;
+    if (!parse_front(line, ignored)) {
+        return false;
+    }
+    const std::optional<std::string_view> id = cut(line, '#');
+    return id && (is_error_frame(*id, line) || is_fd_frame(*id, line));
+}
+
+std::string_view without_direction(std::string_view line) {
+    return line.ends_with(" R") || line.ends_with(" T") ? line.substr(0, line.size() - 2) : line;
+}
+
 }  // namespace
 
 std::string candump_line(const LoggedFrame& logged) {
@@ -89,23 +139,35 @@ std::string candump_line(const LoggedFrame& logged) {
 
 std::optional<LoggedFrame> parse_candump_line(std::string_view line) {
     LoggedFrame logged;
-    if (line.empty() || line.front() != '(') {
+    if (!parse_front(line, logged)) {
         return std::nullopt;
     }
-    line.remove_prefix(1);
-    const std::optional<std::string_view> time = cut(line, ')');
-    if (!time || !parse_time(*time, logged.time_us) || line.empty() || line.front() != ' ') {
-        return std::nullopt;
-    }
-    line.remove_prefix(1);
-    const std::optional<std::string_view> interface_name = cut(line, ' ');
     const std::optional<std::string_view> id = cut(line, '#');
-    if (!interface_name || interface_name->empty() || !id || !parse_id(*id, logged.frame) ||
-        !parse_data(line, logged.frame)) {
+    if (!id || !parse_id(*id, logged.frame) || !parse_data(line, logged.frame)) {
         return std::nullopt;
     }
-    logged.interface_name = *interface_name;
     return logged;
+}
+
+base::Result<Log> read_candump(std::string_view text, const std::string& name) {
+    Log log;
+    for (std::size_t number = 1; !text.empty(); ++number) {
+        const std::size_t end = text.find('\n');
+        const std::string_view line = without_direction(base::trimmed(text.substr(0, end), "\r \t"));
+        text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
+        if (line.empty()) {
+            continue;
+        }
+        if (std::optional<LoggedFrame> logged = parse_candump_line(line); logged) {
+            log.frames.push_back(std::move(*logged));
+        } else if (is_to_pass_over(line)) {
+            ++log.passed_over;
+        } else {
+            return base::failure(
+                fmt::format("{}:{}: this is no frame as candump -L writes it", name, number));
+        }
+    }
+    return log;
 }
 
 void CandumpLog::record(const frame::Frame& frame, std::uint64_t time_us) {

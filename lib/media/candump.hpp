@@ -8,23 +8,21 @@
 #include <string_view>
 
 #include "base/bytes.hpp"
-#include "frame/frame.hpp"
+#include "base/result.hpp"
+#include "media/logged_frame.hpp"
 
 namespace cgw::media {
-
-struct LoggedFrame {
-    std::uint64_t time_us = 0;
-    std::string interface_name;
-    frame::Frame frame;
-
-    friend bool operator==(const LoggedFrame&, const LoggedFrame&) = default;
-};
 
 // Without a line feed.
 std::string candump_line(const LoggedFrame& logged);
 
 // Nothing when the line is not exactly of that form. A remote frame's length digit is optional.
 std::optional<LoggedFrame> parse_candump_line(std::string_view line);
+
+// All lines of a log. Blank lines, carriage returns, and the direction R or T that newer recorders add are
+// fine; error frames and CAN FD frames are passed over. Any other line is a failure: "run.log:3: …", where
+// `name` is the file's.
+base::Result<Log> read_candump(std::string_view text, const std::string& name);
 
 // Collects a whole log, to be written in one step.
 class CandumpLog {

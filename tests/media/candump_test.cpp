@@ -83,6 +83,43 @@ TEST(Candump, accepts_lower_case_and_short_seconds) {
     EXPECT_EQ(read->frame, make_frame(0x7FF, {0xAB, 0xCD}));
 }
 
+TEST(CandumpFile, is_read_whole) {
+    const base::Result<Log> log = read_candump(
+        "(1.000000) can0 123#11\n\n(2.000000) can1 705#R\r\n(3.000000) can0 00000123#2233 R\n"
+        "(4.000000) can0 124# T",
+        "run.log");
+    ASSERT_TRUE(log.has_value()) << log.error().message;
+    ASSERT_EQ(log->frames.size(), 4U);
+    EXPECT_EQ(log->frames[0], (LoggedFrame{1'000'000, "can0", make_frame(0x123, {0x11})}));
+    EXPECT_EQ(log->frames[1].interface_name, "can1");
+    EXPECT_TRUE(log->frames[1].frame.remote);
+    EXPECT_TRUE(log->frames[2].frame.extended);
+    EXPECT_EQ(log->frames[3].frame, make_frame(0x124, {}));
+    EXPECT_EQ(log->passed_over, 0U);
+}
+
+TEST(CandumpFile, passes_over_error_frames_and_fd_frames) {
+    const base::Result<Log> log = read_candump(
+        "(1.000000) can0 20000004#0010000000000000\n(2.000000) can0 123##1AABBCC\n"
+        "(3.000000) can0 00000123##0\n(4.000000) can0 123#11\n",
+        "run.log");
+    ASSERT_TRUE(log.has_value()) << log.error().message;
+    EXPECT_EQ(log->passed_over, 3U);
+    EXPECT_EQ(log->frames.size(), 1U);
+}
+
+TEST(CandumpFile, is_refused_with_the_line_that_is_no_frame) {
+    const std::string good = "(1.000000) can0 123#11\n";
+    for (const std::string bad :
+         {"hello", "(1.000000) can0 800#11", "(1.000000) can0 40000000#", "(1.000000) can0 20000004#0",
+          "(1.000000) can0 123##", "(1.000000) can0 123##1A", "(1.000000) can0 123##1AG", "can0 123#11",
+          "(1.000000) can0 123#11 R T"}) {
+        const base::Result<Log> log = read_candump(good + "\n" + bad + "\n" + good, "run.log");
+        ASSERT_FALSE(log.has_value()) << bad;
+        EXPECT_EQ(log.error().message, "run.log:3: this is no frame as candump -L writes it");
+    }
+}
+
 TEST(Candump, collects_a_log_of_lines) {
     CandumpLog log("can0");
     log.record(make_frame(0x705, {0}), 10);

@@ -1,0 +1,30 @@
+// Frames as a pcap file of link type 227 (LINKTYPE_CAN_SOCKETCAN), which Wireshark and tcpdump read and
+// write. Times are microseconds since 1970, or since the start of a simulation. The format has no names of
+// interfaces.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "base/bytes.hpp"
+#include "base/result.hpp"
+#include "media/logged_frame.hpp"
+
+namespace cgw::media {
+
+// The interface of every frame that is read.
+inline constexpr std::string_view pcap_interface = "can0";
+
+// `content` begins as a pcap file does, in either byte order, with times in microseconds or nanoseconds; also
+// when it is a pcapng file, which read_pcap() refuses with advice.
+bool is_pcap(std::string_view content);
+
+// Nanoseconds are cut to microseconds. Error frames and CAN FD frames are passed over. Another link type, a
+// file that is cut off and one that contradicts itself are failures that begin with `name`.
+base::Result<Log> read_pcap(std::string_view content, const std::string& name);
+
+// Little-endian, microseconds. Fails on a time after the year 2106, for which the format has no room.
+base::Result<base::Bytes> write_pcap(std::span<const LoggedFrame> frames);
+
+}  // namespace cgw::media
