@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "catalogue/errors.hpp"
+
 namespace cgw::device {
 namespace {
 
@@ -29,6 +31,36 @@ TEST(GatewayErrorTable, keeps_its_own_errors_within_the_sentinels) {
         if (row.error != 0) {
             EXPECT_GE(row.error, GatewayErrors::first_error);
             EXPECT_LT(row.error, GatewayErrors::first_error + GatewayErrors::error_count);
+        }
+    }
+}
+
+// What `cgw explain` says of an error and what the gateway does must be the same.
+TEST(GatewayErrorTable, clears_errors_as_their_descriptions_say) {
+    for (const FaultRow& row : fault_rows()) {
+        for (const std::uint16_t number : {row.error, row.canopen_error}) {
+            if (number == 0) {
+                continue;
+            }
+            const catalogue::ErrorDescription* const described =
+                catalogue::find_error(parameter::Device::gateway, parameter::Program::application, number);
+            ASSERT_NE(described, nullptr) << number;
+            const bool by_itself = described->clears.find("by itself") != std::string_view::npos;
+            const bool by_reset = described->clears.find("with the reset") != std::string_view::npos;
+            EXPECT_EQ(row.clearing == Clearing::by_itself, by_itself) << number;
+            EXPECT_EQ(row.clearing == Clearing::by_reset, by_reset) << number;
+        }
+    }
+}
+
+// The counter of 30nn is 31nn.
+TEST(GatewayErrorTable, counts_exactly_the_errors_that_have_a_sentinel) {
+    for (const FaultRow& row : fault_rows()) {
+        if (row.error != 0) {
+            const catalogue::ErrorDescription* const described =
+                catalogue::find_error(parameter::Device::gateway, parameter::Program::application, row.error);
+            ASSERT_NE(described, nullptr) << row.error;
+            EXPECT_EQ(described->counter, row.error + 100);
         }
     }
 }
