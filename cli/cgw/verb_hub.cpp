@@ -23,12 +23,12 @@ constexpr Option hub_options[] = {
 };
 
 constexpr std::string_view hub_details =
-    "Every client gets what the others send on the same bus. The protocol is the one\n"
-    "of socketcand, so python-can joins natively:\n"
+    "Every client gets what the others send on the same bus, in the protocol of\n"
+    "socketcand. python-can joins with\n"
     "  can.Bus(interface='socketcand', host='127.0.0.1', port=29536, channel='can0')\n"
-    "The hub runs until it is interrupted (SIGINT) or terminated (SIGTERM), then exits\n"
-    "0; it exits 3 when it cannot listen. Only programs on this machine can connect\n"
-    "unless --listen says otherwise: nothing asks a client who it is.\n"
+    "The hub runs until it is interrupted (SIGINT) or terminated (SIGTERM) and then\n"
+    "exits 0; it exits 3 when it cannot listen. Only programs on this machine can\n"
+    "connect unless --listen says otherwise: nothing asks a client who it is.\n"
     "For a client that reads too slowly the newest frames are lost; the hub tells it\n"
     "how many, and lets it go when it takes nothing for 10 s. Nobody else waits.\n";
 
