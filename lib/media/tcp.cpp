@@ -7,11 +7,9 @@
 #include <netinet/tcp.h>
 
 #include <cerrno>
+#include <charconv>
 #include <cstring>
 #include <memory>
-
-#include "base/ascii.hpp"
-#include "base/numbers.hpp"
 
 namespace cgw::media {
 namespace {
@@ -53,12 +51,13 @@ base::Result<HostPort> parse_host_port(std::string_view text) {
     } else if (host.find(':') != std::string_view::npos) {
         return base::failure(fmt::format("'{}': an IPv6 address stands in brackets: [::1]:29536", text));
     }
-    const auto port =
-        base::consists_of(port_text, base::digits) ? base::parse_integer(port_text) : std::nullopt;
-    if (host.empty() || !port || *port > 65535) {
+    std::uint16_t port = 0;
+    const char* const end = text.data() + text.size();
+    const auto [stop, error] = std::from_chars(port_text.data(), end, port);
+    if (host.empty() || port_text.empty() || error != std::errc{} || stop != end) {
         return base::failure(fmt::format("'{}' is not HOST:PORT with a port 0..65535", text));
     }
-    return HostPort{std::string(host), static_cast<std::uint16_t>(*port)};
+    return HostPort{std::string(host), port};
 }
 
 std::string Address::text() const {
