@@ -1,6 +1,7 @@
 """cgw hub from outside: what it prints, how it ends, and what it says when it cannot listen."""
 import os
 import re
+import resource
 import signal
 import socket
 import subprocess
@@ -86,6 +87,33 @@ class Verb(unittest.TestCase):
             code, _, errors = hub.stop()
             self.assertEqual(code, 0)
             self.assertRegex(errors, r"\Acgw: \d+ frames were lost for clients that read too slowly\n\Z")
+
+    def test_hostile_clients_do_not_disturb_the_others(self):
+        with Hub() as hub, joined(hub.port) as sender, joined(hub.port) as receiver:
+            for stream in (b"<" + b"x" * 3_000_000, b"x" * 3_000_000, b"\0<>" * 1_000_000, b"< echo >" * 200_000):
+                with socket.create_connection(("127.0.0.1", hub.port)) as hostile:
+                    hostile.settimeout(1)  # the hub does not listen to those who do not read
+                    try:
+                        hostile.sendall(stream)
+                    except OSError:
+                        pass
+                    sender.sendall(b"< send 123 1 2a >")
+                    self.assertRegex(receiver.recv(100), rb"\A\n< frame 123 \d+\.\d{6} 2A >\Z")
+            self.assertEqual(hub.stop(), (0, "", ""))
+
+    def test_goes_on_when_the_system_has_no_room_for_more_connections(self):
+        with Hub() as hub:
+            used = len(os.listdir(f"/proc/{hub.process.pid}/fd"))
+            resource.prlimit(hub.process.pid, resource.RLIMIT_NOFILE, (used + 2, used + 2))
+            first, second = joined(hub.port), joined(hub.port)
+            third = socket.create_connection(("127.0.0.1", hub.port), timeout=DEADLINE)
+            second.sendall(b"< echo >")
+            self.assertEqual(second.recv(100), b"< echo >")
+            first.close()
+            self.assertEqual(third.recv(100), b"< hi >")
+            second.close()
+            third.close()
+            self.assertEqual(hub.stop(), (0, "", ""))
 
     def test_a_port_in_use_is_an_environment_error(self):
         with Hub() as hub:

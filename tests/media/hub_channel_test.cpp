@@ -2,6 +2,7 @@
 
 #include <random>
 
+#include "media/fuzz_seeds.hpp"
 #include "media/hub.hpp"
 #include "media/recording_listener.hpp"
 #include "support/recording_port.hpp"
@@ -345,7 +346,7 @@ TEST(HubChannelFuzz, survives_every_stream_of_bytes_and_joins_again) {
         "< frame 123 1.0 11 >",
         "18446744073709551616 frames lost, this client is too slow >",
         "\xff"};
-    for (std::uint32_t seed = 1; seed <= 100; ++seed) {
+    for (std::uint32_t seed = 1; seed <= test::fuzz_seeds(100); ++seed) {
         std::mt19937 random(seed);
         Impostor server;
         for (int life = 0; life < 5; ++life) {

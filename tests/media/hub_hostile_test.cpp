@@ -1,6 +1,7 @@
 // Clients that read slowly, not at all, or say what no client would say.
 #include <random>
 
+#include "media/fuzz_seeds.hpp"
 #include "media/hub_fixture.hpp"
 
 namespace cgw::media {
@@ -227,7 +228,7 @@ std::string random_stream(std::mt19937& random, std::size_t pieces) {
 }
 
 TEST(HubFuzz, no_stream_of_bytes_keeps_honest_clients_from_their_frames) {
-    for (std::uint32_t seed = 1; seed <= 60; ++seed) {
+    for (std::uint32_t seed = 1; seed <= test::fuzz_seeds(40); ++seed) {
         std::mt19937 random(seed);
         HubBench bench({.buses = {}, .limits = {.clients = 8, .queued_bytes = 2000}});
         RawClient honest(bench, "honest");
