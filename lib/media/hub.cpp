@@ -83,7 +83,7 @@ void Hub::service(std::span<const pollfd> entries, Time now) {
         if ((entries[i].revents & ~POLLOUT) != 0) {
             client.receive(entries[i].revents, now);
         }
-        if (entries[i].revents != 0) {
+        if (entries[i].revents != 0 || client.stalled()) {
             client.flush(now);
             listen_to(client, now);
         }

@@ -27,6 +27,9 @@ pollfd HubClient::entry() const {
 }
 
 Time HubClient::deadline() const {
+    if (stalled_ && takes_answers()) {
+        return 0;
+    }
     const Time opening = bus_.empty() ? open_until_ : never;
     const Time stuck = queue_.empty() ? never : progress_ + limits_.stuck;
     const Time quiet = quiet_until_ != 0 && !queue_.empty() ? quiet_until_ : never;
@@ -60,7 +63,8 @@ void HubClient::receive(short revents, Time now) {
 }
 
 MessageStream::Item HubClient::next(std::string_view& text) {
-    return gone() || !takes_answers() ? MessageStream::Item::none : input_.next(text);
+    stalled_ = !takes_answers();
+    return gone() || stalled_ ? MessageStream::Item::none : input_.next(text);
 }
 
 bool HubClient::takes_answers() const {

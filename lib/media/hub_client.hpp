@@ -47,6 +47,8 @@ class HubClient {
     void receive(short revents, Time now);
     // None also while there is no room for answers: who does not read is not listened to.
     MessageStream::Item next(std::string_view& text);
+    // It may have said more than next() has given, for lack of room.
+    bool stalled() const { return stalled_; }
 
     void answer(std::string_view message, Time now);
     // A frame. A full queue loses it; the client is told how many as soon as there is room again.
@@ -69,6 +71,7 @@ class HubClient {
     const HubLimits& limits_;
     std::string bus_;  // empty: none is open
     bool raw_ = false;
+    bool stalled_ = false;
     MessageStream input_;
     SendQueue queue_;
     Time open_until_;

@@ -169,6 +169,18 @@ TEST(HubHostileClient, who_does_not_read_answers_is_not_listened_to_until_he_doe
     EXPECT_EQ(answers, 100'000U);
 }
 
+TEST(HubHostileClient, what_was_not_listened_to_is_heard_as_soon_as_there_is_room) {
+    HubBench bench({.buses = {}, .limits = {.queued_bytes = 1000}});
+    RawClient client(bench, "one");
+    std::string burst = "< open can0 >< rawmode >";
+    for (int i = 0; i < 1000; ++i) {
+        burst += "<echo>";
+    }
+    EXPECT_EQ(client.say(burst), burst.size());  // more answers than wait while the one to raw mode stands alone
+    bench.pass(HubLimits{}.quiet_start);
+    EXPECT_EQ(count(client.hear(), "< echo >"), 1000U);
+}
+
 TEST(HubHostileClient, who_neither_reads_answers_nor_stays_is_forgotten) {
     HubBench bench;
     {
