@@ -176,7 +176,8 @@ TEST(HubHostileClient, what_was_not_listened_to_is_heard_as_soon_as_there_is_roo
     for (int i = 0; i < 1000; ++i) {
         burst += "<echo>";
     }
-    EXPECT_EQ(client.say(burst), burst.size());  // more answers than wait while the one to raw mode stands alone
+    EXPECT_EQ(client.say(burst),
+              burst.size());  // more answers than wait while the one to raw mode stands alone
     bench.pass(HubLimits{}.quiet_start);
     EXPECT_EQ(count(client.hear(), "< echo >"), 1000U);
 }
