@@ -21,12 +21,23 @@ std::vector<Word> format_words() {
     return words;
 }
 
+// Each as NAME and as no-NAME.
 std::vector<Word> rule_words() {
+    static const std::vector<std::string> hiding = [] {
+        std::vector<std::string> names;
+        for (const diagnostic::Rule* rule : diagnostic::all_rules()) {
+            names.push_back(fmt::format("no-{}", rule->name));
+        }
+        return names;
+    }();
     std::vector<Word> words;
+    auto hide = hiding.begin();
     for (const diagnostic::Rule* rule : diagnostic::all_rules()) {
         if (rule->level != diagnostic::Level::error) {
             words.push_back({rule->name, rule->summary});
+            words.push_back({*hide, rule->summary});
         }
+        ++hide;
     }
     return words;
 }
@@ -64,7 +75,7 @@ void apply_warning_word(const std::string& word, std::vector<const diagnostic::R
 
 constexpr Option check_options[] = {
     {.names = "FILE",
-     .summary = "parameter files; - is standard input",
+     .summary = "parameter files and catalogue files; - is standard input",
      .required = true,
      .repeats = true,
      .completes = Completes::files},
@@ -97,7 +108,7 @@ int run_check(const Arguments& arguments) {
     input.color = use_color(arguments, stdout);
     input.tool_version = driver::tool_version();
     for (const std::string& path : paths) {
-        driver::CheckedFile file = driver::check_file(path);
+        driver::CheckedFile file = driver::check_file_or_catalogue(path);
         file.findings.hide(hidden);
         if (arguments.given("--werror")) {
             file.findings.promote_warnings();
@@ -106,7 +117,7 @@ int run_check(const Arguments& arguments) {
         if (!file.valid()) {
             file.not_verified.clear();
         }
-        input.files.push_back({path, file.findings.all(), std::move(file.not_verified)});
+        input.files.push_back({path, file.findings.all(), std::move(file.not_verified), file.is_catalogue});
         input.sources.merge(std::move(file.sources));
     }
     const diagnostic::Renderer* renderer = diagnostic::find_renderer(arguments.value("--format"));

@@ -7,6 +7,7 @@
 #include "cli/cgw/exit_codes.hpp"
 #include "cli/cgw/terminal.hpp"
 #include "cli/cgw/verbs.hpp"
+#include "diagnostic/rules.hpp"
 #include "explain/explain.hpp"
 
 namespace cgw::cli {
@@ -18,11 +19,17 @@ std::vector<Word> answer_format_words() {
     return {{"text", "for people"}, {"json", "one JSON document"}};
 }
 
-// Proposals for completion; any question may be right.
+// Proposals for completion, an example of each form and all findings; any question may be right.
 std::vector<Word> question_words() {
     std::vector<Word> words;
     for (const explain::QuestionForm& form : explain::question_forms()) {
         words.push_back({form.example, form.meaning});
+    }
+    for (const diagnostic::Rule* rule : diagnostic::all_rules()) {
+        for (const std::string_view name : {rule->code, rule->name}) {
+            std::erase_if(words, [name](const Word& word) { return word.name == name; });
+            words.push_back({name, rule->summary});
+        }
     }
     return words;
 }
@@ -85,6 +92,7 @@ const Verb explain_verb = {"explain", "say what is behind a number, a name, a va
                            "  416, CanBaudrate, \"416 CanBaudrate\"   a parameter or measurement\n"
                            "  12412, 3074, sensor-error             an error: cause, action, how it clears\n"
                            "  2005h=0x0102, 2411=2, 3800=9          a value: which bits are set, and why\n"
+                           "  827=-5, 900=6, 16400=2000             where a parameter's value leads to\n"
                            "  1018h, 2003h:1, 0x2003:1              an object of the gateway\n"
                            "  0x06010002                            an SDO abort code\n"
                            "  E0203, node-id-duplicate              a finding: why, broken and kept\n"};

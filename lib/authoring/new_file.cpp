@@ -43,9 +43,9 @@ constexpr Start table[] = {
     {Device::gateway, 400, preset, "1.0"},
     {Device::gateway, 426, fill_in, "", "the CANopen network"},
     {Device::gateway, 427, fill_in},
-    {Device::gateway, 428, fill_in},
+    {Device::gateway, 428, fill_in, "", "", "without a partner write 0 here and at 430"},
     {Device::gateway, 429, preset, "800"},
-    {Device::gateway, 430, preset, "2000"},
+    {Device::gateway, 430, preset, "2000", "", "without a partner (428 = 0) write 0 here as well"},
     {Device::gateway, 16404, example, "[0x282]"},
 };
 
@@ -88,6 +88,7 @@ std::string text_of(const Start& start, const parameter::Catalogue& catalogue) {
     if (const std::string names = is_list ? measurements(start.value, catalogue) : ""; !names.empty()) {
         text += fmt::format("# {}\n", names);
     }
+    text += start.remark.empty() ? "" : fmt::format("# {}\n", start.remark);
     const std::string_view comment = start.how == preset ? "" : "# ";
     const std::string_view blank = start.value.empty() ? "" : " ";
     return text + fmt::format("{}{} ={}{}\n", comment, key_of(row, is_list), blank, start.value);

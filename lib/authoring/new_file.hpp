@@ -22,6 +22,7 @@ struct Start {
     How how;
     std::string_view value{};    // as TOML takes it
     std::string_view heading{};  // of the group that begins here
+    std::string_view remark{};   // what follows from another parameter
 };
 
 std::span<const Start> starts();

@@ -99,6 +99,8 @@ std::string parameter_file_text(const Draft& draft, const parameter::Catalogue& 
     }
     text += fmt::format("format = {}\n", input::parameter_file_format);
     text += draft.title.empty() ? "" : fmt::format("title = {}\n", toml_string(draft.title));
+    text +=
+        draft.main_cycle_us ? fmt::format("\n[governor]\nmain_cycle_us = {}\n", *draft.main_cycle_us) : "";
     text += table_text(Device::governor, draft.governor, catalogue);
     text += table_text(Device::gateway, draft.gateway, catalogue);
     return text;

@@ -1,6 +1,8 @@
 // A parameter file (format 1) written from values, with what the catalogue says about each as comments.
 #pragma once
 
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,9 +16,10 @@ struct WrittenValue {
 };
 
 struct Draft {
-    std::string title;                   // "": no title
-    std::vector<std::string> remarks;    // lines of comment at the top, without '#'
-    std::vector<WrittenValue> governor;  // ascending by number
+    std::string title;                           // "": no title
+    std::optional<std::uint32_t> main_cycle_us;  // of the governor; none: the usual one
+    std::vector<std::string> remarks;            // lines of comment at the top, without '#'
+    std::vector<WrittenValue> governor;          // ascending by number
     std::vector<WrittenValue> gateway;
 };
 

@@ -7,6 +7,9 @@
 namespace cgw::base {
 namespace {
 
+// What may be markup in Markdown.
+constexpr std::string_view special = "\\`*_[<#&|~";
+
 // Spreadsheets run a cell that begins like this as a formula, wherever the text came from.
 bool looks_like_formula(std::string_view text) {
     constexpr std::string_view starters = "=+-@\t\r";
@@ -23,8 +26,18 @@ std::string one_line(std::string_view text) {
     return line;
 }
 
+std::string markdown_text(std::string_view cell) {
+    std::string text;
+    for (std::size_t at = 0; at < cell.size(); ++at) {
+        const bool is_escape =
+            cell[at] == '\\' && at + 1 < cell.size() && special.find(cell[at + 1]) != std::string_view::npos;
+        at += is_escape ? 1 : 0;
+        text += cell[at];
+    }
+    return text;
+}
+
 std::string markdown_cell(std::string_view text) {
-    constexpr std::string_view special = "\\`*_[<#&|~";
     std::string cell;
     for (const char c : one_line(text)) {
         if (special.find(c) != std::string_view::npos) {

@@ -12,6 +12,9 @@ std::string one_line(std::string_view text);
 // A cell or heading of Markdown: one line, nothing in it is markup, '|' ends no cell.
 std::string markdown_cell(std::string_view text);
 
+// What markdown_cell was given, but for its control characters.
+std::string markdown_text(std::string_view cell);
+
 // A field of CSV (RFC 4180, section 2). What a spreadsheet would run as a formula begins with an apostrophe;
 // numbers, negative ones as well, stay numbers.
 std::string csv_field(std::string_view text);

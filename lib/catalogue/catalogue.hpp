@@ -25,6 +25,10 @@ namespace cgw::catalogue {
 // Rows of schemas/parameters/*.toml, sorted by device and number, compiled into the program.
 std::span<const parameter::Row> shipped_rows();
 
+// Whether a file is meant to be a catalogue and not a parameter file: it has rows or a device, and nothing
+// that a parameter file must have.
+bool is_catalogue(const toml::Node& root);
+
 // Adds the rows of a catalogue file to `catalogue`. Returns false when there was an error; rows that could be
 // understood are added even then, so that one mistake does not bring others behind it.
 bool read_catalogue(std::string_view text, const std::string& path, parameter::Catalogue& catalogue,

@@ -226,7 +226,7 @@ void read_base(const Node& value, Draft& draft, const Reporter& report) {
         draft.row.base = parameter::Base::hexadecimal;
     } else if (value.text != "decimal") {
         report(rules::key_value, value.range,
-               fmt::format("base {} is neither \"decimal\" nor \"hexadecimal\"", toml::quoted(value.text)));
+               fmt::format(R"(base {} is neither "decimal" nor "hexadecimal")", toml::quoted(value.text)));
     }
 }
 

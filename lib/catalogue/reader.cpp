@@ -236,6 +236,11 @@ void read_rows(const toml::Entry& rows, Device device, Program program, Catalogu
 
 }  // namespace
 
+bool is_catalogue(const Node& root) {
+    const auto has = [&root](std::string_view key) { return root.find(key) != nullptr; };
+    return (has("row") || has("device")) && !has("format") && !has("governor") && !has("gateway");
+}
+
 bool read_catalogue(std::string_view text, const std::string& path, Catalogue& catalogue,
                     diagnostic::Findings& findings) {
     const std::size_t findings_before = findings.all().size();

@@ -11,7 +11,6 @@
 namespace cgw::compare {
 namespace {
 
-using config::WordKind;
 using parameter::Row;
 
 struct CarriedWord {

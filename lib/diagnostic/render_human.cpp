@@ -100,7 +100,11 @@ std::string summary(const FileReport& file) {
         ++counts[static_cast<std::size_t>(finding.level())];
     }
     const Location whole{file.path, {}};
-    std::string text = fmt::format("{}: {}", to_text(whole), counts[0] > 0 ? "not valid" : "valid");
+    const std::string_view verdict = file.is_catalogue
+                                         ? (counts[0] > 0 ? "no valid catalogue" : "valid catalogue")
+                                     : counts[0] > 0 ? "not valid"
+                                                     : "valid";
+    std::string text = fmt::format("{}: {}", to_text(whole), verdict);
     std::string_view separator = ", ";
     for (const Level level : {Level::error, Level::warning, Level::note}) {
         if (const std::size_t count = counts[static_cast<std::size_t>(level)]; count > 0) {

@@ -17,6 +17,7 @@ struct FileReport {
     std::string path;
     std::vector<Diagnostic> findings;
     std::vector<std::string> not_verified{};  // what no check can know, one line each
+    bool is_catalogue = false;                // and no parameter file
 };
 
 struct RenderInput {

@@ -16,17 +16,22 @@ struct Spelling {
 
 // What is longer than one letter, or no letter at all; the blocks below hold the rest.
 constexpr std::array spellings{
-    Spelling{0x00A0, " "},     Spelling{0x00B0, "deg"}, Spelling{0x00B1, "+/-"}, Spelling{0x00B2, "2"},
-    Spelling{0x00B3, "3"},     Spelling{0x00B5, "u"},   Spelling{0x00B7, "."},   Spelling{0x00C4, "Ae"},
-    Spelling{0x00C5, "Aa"},    Spelling{0x00C6, "Ae"},  Spelling{0x00D6, "Oe"},  Spelling{0x00D8, "Oe"},
-    Spelling{0x00DC, "Ue"},    Spelling{0x00DE, "Th"},  Spelling{0x00DF, "ss"},  Spelling{0x00E4, "ae"},
-    Spelling{0x00E5, "aa"},    Spelling{0x00E6, "ae"},  Spelling{0x00F6, "oe"},  Spelling{0x00F8, "oe"},
-    Spelling{0x00FC, "ue"},    Spelling{0x00FE, "th"},  Spelling{0x0152, "Oe"},  Spelling{0x0153, "oe"},
-    Spelling{0x0394, "Delta"}, Spelling{0x03A9, "Ohm"}, Spelling{0x03BC, "u"},   Spelling{0x2010, "-"},
-    Spelling{0x2011, "-"},     Spelling{0x2013, "-"},   Spelling{0x2014, "-"},   Spelling{0x2018, "'"},
-    Spelling{0x2019, "'"},     Spelling{0x201A, "'"},   Spelling{0x201C, "\""},  Spelling{0x201D, "\""},
-    Spelling{0x201E, "\""},    Spelling{0x2026, "..."}, Spelling{0x20AC, "EUR"}, Spelling{0x2126, "Ohm"},
-    Spelling{0x2212, "-"},
+    Spelling{0x00A0, " "},        Spelling{0x00B0, "deg"},   Spelling{0x00B1, "+/-"},
+    Spelling{0x00B2, "2"},        Spelling{0x00B3, "3"},     Spelling{0x00B5, "u"},
+    Spelling{0x00B7, "."},        Spelling{0x00B9, "1"},     Spelling{0x00C4, "Ae"},
+    Spelling{0x00C5, "Aa"},       Spelling{0x00C6, "Ae"},    Spelling{0x00D6, "Oe"},
+    Spelling{0x00D8, "Oe"},       Spelling{0x00DC, "Ue"},    Spelling{0x00DE, "Th"},
+    Spelling{0x00DF, "ss"},       Spelling{0x00E4, "ae"},    Spelling{0x00E5, "aa"},
+    Spelling{0x00E6, "ae"},       Spelling{0x00F6, "oe"},    Spelling{0x00F8, "oe"},
+    Spelling{0x00FC, "ue"},       Spelling{0x00FE, "th"},    Spelling{0x0152, "Oe"},
+    Spelling{0x0153, "oe"},       Spelling{0x0394, "Delta"}, Spelling{0x03A9, "Ohm"},
+    Spelling{0x03BC, "u"},        Spelling{0x2010, "-"},     Spelling{0x2011, "-"},
+    Spelling{0x2013, "-"},        Spelling{0x2014, "-"},     Spelling{0x2018, "'"},
+    Spelling{0x2019, "'"},        Spelling{0x201A, "'"},     Spelling{0x201C, "\""},
+    Spelling{0x201D, "\""},       Spelling{0x201E, "\""},    Spelling{0x2026, "..."},
+    Spelling{0x2030, "permille"}, Spelling{0x207B, "-"},     Spelling{0x20AC, "EUR"},
+    Spelling{0x2103, "degC"},     Spelling{0x2109, "degF"},  Spelling{0x2126, "Ohm"},
+    Spelling{0x212A, "K"},        Spelling{0x2212, "-"},     Spelling{0x22C5, "."},
 };
 
 // U+00C0 to U+017F, one letter each.
@@ -38,6 +43,7 @@ constexpr std::string_view letters =
 static_assert(first_letter + letters.size() == 0x0180);
 
 constexpr char32_t not_utf8 = 0xFFFD;
+constexpr char no_counterpart = '?';
 
 // Takes one character off the front of `text`, which is not empty.
 char32_t take_character(std::string_view& text) {
@@ -65,11 +71,18 @@ void append_spelt(std::string& ascii, char32_t character) {
     } else if (character >= first_letter && character - first_letter < letters.size()) {
         ascii += letters[character - first_letter];
     } else {
-        ascii += '?';
+        ascii += no_counterpart;
     }
 }
 
 }  // namespace
+
+bool has_ascii_form(std::string_view utf8) {
+    const auto marks = [](std::string_view text) {
+        return std::count(text.begin(), text.end(), no_counterpart);
+    };
+    return marks(to_ascii(utf8)) == marks(utf8);
+}
 
 std::string to_ascii(std::string_view utf8) {
     std::string ascii;

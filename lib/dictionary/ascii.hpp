@@ -10,6 +10,9 @@ namespace cgw::dictionary {
 // characters become blanks; what has no counterpart, and every byte that is not UTF-8, becomes '?'.
 std::string to_ascii(std::string_view utf8);
 
+// False where to_ascii() has to put a '?' for something else.
+bool has_ascii_form(std::string_view utf8);
+
 // At most `length` characters; a text that had to be cut ends in "...".
 std::string shortened(std::string_view ascii, std::size_t length);
 

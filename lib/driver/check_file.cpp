@@ -1,5 +1,6 @@
 #include "driver/check_file.hpp"
 
+#include <optional>
 #include <utility>
 
 #include "base/files.hpp"
@@ -28,16 +29,41 @@ CheckedFile empty_file(const std::string& path) {
     return file;
 }
 
-}  // namespace
+CheckedFile check_catalogue(const std::string& path, std::string text) {
+    CheckedFile file = empty_file(path);
+    file.is_catalogue = true;
+    catalogue::read_catalogue(text, path, *file.catalogue, file.findings);
+    file.sources[path] = std::move(text);
+    file.findings.sort();
+    return file;
+}
 
-CheckedFile check_file(const std::string& path) {
+// What is no TOML is read as a parameter file, and refused as one.
+bool is_catalogue(const std::string& path, const std::string& text) {
+    diagnostic::Findings unused;
+    const std::optional<toml::Node> root = toml::parse(text, path, unused);
+    return root && catalogue::is_catalogue(*root);
+}
+
+CheckedFile check(const std::string& path, bool may_be_catalogue) {
     base::Result<std::string> text = base::read_file(path, toml::maximum_file_size);
     if (!text) {
         CheckedFile file = empty_file(path);
         report_unreadable(file, text.error());
         return file;
     }
-    return check_text(path, std::move(*text));
+    return may_be_catalogue && is_catalogue(path, *text) ? check_catalogue(path, std::move(*text))
+                                                         : check_text(path, std::move(*text));
+}
+
+}  // namespace
+
+CheckedFile check_file(const std::string& path) {
+    return check(path, false);
+}
+
+CheckedFile check_file_or_catalogue(const std::string& path) {
+    return check(path, true);
 }
 
 CheckedFile check_text(const std::string& path, std::string text) {

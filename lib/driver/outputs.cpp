@@ -114,14 +114,18 @@ std::string clash(const std::vector<std::string>& outputs, const std::vector<std
 }
 
 std::string dependency_file(const std::string& target, const std::vector<std::string>& dependencies) {
-    std::string text = escape_for_make(target) + ":";
+    std::string rule = escape_for_make(target) + ":";
+    std::string empty_rules;
+    bool first = true;
     for (const std::string& dependency : dependencies) {
-        if (dependency == "-") {
-            continue;  // standard input is nothing to wait for
+        if (dependency != "-") {  // standard input is nothing to wait for
+            const std::string name = escape_for_make(dependency);
+            rule += " \\\n  " + name;
+            empty_rules += first ? "" : name + ":\n";
         }
-        text += " \\\n  " + escape_for_make(dependency);
+        first = false;
     }
-    return text + "\n";
+    return rule + "\n" + empty_rules;
 }
 
 }  // namespace cgw::driver

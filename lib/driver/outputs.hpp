@@ -40,7 +40,8 @@ std::vector<std::string> stale_artefacts(const std::filesystem::path& directory,
 // True when the file holds exactly these bytes.
 bool up_to_date(const std::filesystem::path& path, const base::Bytes& content);
 
-// A Makefile fragment "target: dependencies", as Ninja and Make read it.
+// A Makefile fragment "target: dependencies", as Ninja and Make read it. Each dependency but the first has an
+// empty rule as well: a catalogue that is gone makes the target stale, and is not itself to be made.
 std::string dependency_file(const std::string& target, const std::vector<std::string>& dependencies);
 
 }  // namespace cgw::driver

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <optional>
 #include <sstream>
 #include <utility>
 
@@ -52,6 +53,11 @@ const input::PrintedTable& table_of(const ReadTables& tables, Device device) {
     return device == Device::governor ? tables.governor : tables.gateway;
 }
 
+// Either sheet of a plant says it.
+std::optional<std::uint32_t> main_cycle_of(const ReadTables& tables) {
+    return tables.governor.main_cycle_us ? tables.governor.main_cycle_us : tables.gateway.main_cycle_us;
+}
+
 parameter::ParameterSet set_of(const input::PrintedTable& table) {
     parameter::ParameterSet set;
     for (const auto& [number, value] : table.values) {
@@ -98,6 +104,7 @@ ReadTables read_tables(const TablePaths& paths, const parameter::Catalogue& cata
 TableSide side_of_tables(const CheckedFile& file, const ReadTables& tables) {
     TableSide side;
     side.settings = file.settings;
+    side.settings.main_cycle_us = main_cycle_of(tables).value_or(file.settings.main_cycle_us);
     for (const Device device : {Device::governor, Device::gateway}) {
         const input::PrintedTable& table = table_of(tables, device);
         parameter::ParameterSet set = set_of(table);
@@ -162,7 +169,13 @@ void note_absent_rows(ReadTables& tables, const TablePaths& paths, const paramet
 std::string text_of_tables(const ReadTables& tables, const TablePaths& paths, const std::string& title,
                            const parameter::Catalogue& catalogue) {
     authoring::Draft draft;
-    draft.title = title;
+    draft.title = !title.empty()                   ? title
+                  : !tables.governor.title.empty() ? tables.governor.title
+                                                   : tables.gateway.title;
+    if (const std::optional<std::uint32_t> cycle = main_cycle_of(tables);
+        cycle != parameter::Settings{}.main_cycle_us) {
+        draft.main_cycle_us = cycle;
+    }
     draft.remarks = {fmt::format("Governor: {}; gateway: {}. Read by cgw import table.",
                                  file_name(paths.governor), file_name(paths.gateway))};
     remark_absent(draft.remarks, "Governor", absent_numbers(tables, Device::governor, catalogue));

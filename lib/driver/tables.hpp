@@ -50,7 +50,8 @@ std::string absent_numbers(const ReadTables& tables, parameter::Device device,
 // Adds a note (E0509) to the report of each table that leaves out such numbers.
 void note_absent_rows(ReadTables& tables, const TablePaths& paths, const parameter::Catalogue& catalogue);
 
-// A parameter file with the values of both tables.
+// A parameter file with the values of both tables, and with the title (unless `title` is another) and the
+// main cycle that sheets of cgw carry; where two sheets differ in these, the governor's counts.
 std::string text_of_tables(const ReadTables& tables, const TablePaths& paths, const std::string& title,
                            const parameter::Catalogue& catalogue);
 

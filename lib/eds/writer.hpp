@@ -39,10 +39,10 @@ struct Commissioning {
 };
 
 Document to_document(const dictionary::Dictionary& dictionary);
-Document to_document(const dictionary::Dictionary& dictionary, const Commissioning& commissioning);
+Document to_document(const dictionary::Dictionary& dictionary, const Commissioning& node);
 
 // to_document() and print() in one.
 std::string write(const dictionary::Dictionary& dictionary);
-std::string write(const dictionary::Dictionary& dictionary, const Commissioning& commissioning);
+std::string write(const dictionary::Dictionary& dictionary, const Commissioning& node);
 
 }  // namespace cgw::eds

@@ -8,6 +8,7 @@
 #include "base/canopen_text.hpp"
 #include "config/numbers.hpp"
 #include "dbc/names.hpp"
+#include "dictionary/ascii.hpp"
 #include "emit/dbc_parts.hpp"
 #include "facts/gateway.hpp"
 #include "parameter/settings.hpp"
@@ -172,7 +173,11 @@ void scale(dbc::Signal& signal, const parameter::Row& row, const parameter::Para
     signal.offset = limits->minimum - row.scaling->internal_minimum * signal.factor;
     signal.minimum = std::min(limits->minimum, limits->maximum);
     signal.maximum = std::max(limits->minimum, limits->maximum);
-    signal.unit = row.unit;
+    if (dictionary::has_ascii_form(row.unit)) {
+        signal.unit = row.unit;
+    } else {
+        signal.comment += "; scaled, but its unit has no spelling in ASCII and is left out";
+    }
 }
 
 dbc::Signal measurement_signal(const Plant& plant, const config::MappedWord& word, unsigned first_bit) {

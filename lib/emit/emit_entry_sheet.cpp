@@ -2,6 +2,7 @@
 // for, so that none is typed into the other one.
 #include <fmt/format.h>
 
+#include "base/sheet_words.hpp"
 #include "base/text_cells.hpp"
 #include "emit/artefacts.hpp"
 #include "emit/columns.hpp"
@@ -13,10 +14,10 @@ namespace {
 
 using parameter::Device;
 
-void markdown_table(std::string& text, const DeviceSheet& sheet, bool only_set) {
+void markdown_table(std::string& text, const DeviceSheet& sheet, bool only_differing) {
     text += "| Device | Number | Parameter | Value | Unit | Default |\n|---|---:|---|---:|---|---:|\n";
     for (const SheetRow& row : sheet.rows) {
-        if (row.is_set || !only_set) {
+        if (row.differs || !only_differing) {
             text += fmt::format("| {} | {} | {} | {} | {} | {} |\n", parameter::to_text(sheet.device),
                                 row.row->number, base::markdown_cell(row.row->name), row.value,
                                 base::markdown_cell(row.unit), row.default_value);
@@ -59,17 +60,19 @@ constexpr Column<CsvLine> csv_columns[] = {
      [](const CsvLine& line) { return line.row.default_value == "-" ? "" : line.row.default_value; }},
     {"differs", [](const CsvLine& line) { return std::string(line.row.differs ? "yes" : "no"); }},
     {"configuration_id", [](const CsvLine& line) { return line.sheet.configuration_id; }},
-    {"title", [](const CsvLine& line) { return line.sheet.title; }},
+    {base::sheet_title_column, [](const CsvLine& line) { return line.sheet.title; }},
+    {base::sheet_main_cycle_column,
+     [](const CsvLine& line) { return fmt::format("{}", line.sheet.main_cycle_us); }},
 };
 
-// Each parameter once: first what the file sets, then the rest.
+// Each parameter once: first what differs from the default, then the rest.
 std::string render_sheet_csv(const EntrySheet& sheet) {
     constexpr std::span<const Column<CsvLine>> columns = csv_columns;
     std::string text = csv_heading(columns);
     for (const DeviceSheet& device : sheet.devices) {
-        for (const bool is_set : {true, false}) {
+        for (const bool differs : {true, false}) {
             for (const SheetRow& row : device.rows) {
-                text += row.is_set == is_set ? csv_line(columns, {sheet, device.device, row}) : "";
+                text += row.differs == differs ? csv_line(columns, {sheet, device.device, row}) : "";
             }
         }
     }

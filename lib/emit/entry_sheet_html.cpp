@@ -16,11 +16,12 @@ constexpr std::string_view style =
     "table { border-collapse: collapse; width: 100% }\n"
     "thead { display: table-header-group } tr { break-inside: avoid }\n"
     "th, td { border: 1px solid #888; padding: 1mm 2mm; text-align: left }\n"
-    ".n { text-align: right; font-variant-numeric: tabular-nums }\n"
+    ".n { text-align: right; font-variant-numeric: tabular-nums; white-space: nowrap }\n"
     ".done { width: 12mm }\n"
     ".zero { color: #666 }\n"
     "@media screen { body { padding: 4mm } }\n"
-    "@media (max-width: 140mm) { th, td { padding: 1mm; overflow-wrap: anywhere } .done { width: auto } }\n";
+    "@media (max-width: 140mm) { body { font-size: 8pt } th, td { padding: 1mm } .done { width: auto }\n"
+    "  .name { overflow-wrap: anywhere } }\n";
 
 std::string html_text(std::string_view text) {
     std::string html;
@@ -47,20 +48,20 @@ std::string html_text(std::string_view text) {
 
 std::string table_row(const SheetRow& row) {
     return fmt::format(
-        "<tr{}><td class=\"n\">{}</td><td>{}</td><td class=\"n\">{}</td><td>{}</td>"
+        "<tr{}><td class=\"n\">{}</td><td class=\"name\">{}</td><td class=\"n\">{}</td><td>{}</td>"
         "<td class=\"n\">{}</td><td class=\"done\"></td></tr>\n",
         row.differs ? "" : " class=\"zero\"", row.row->number, html_text(row.row->name), row.value,
         html_text(row.unit), row.default_value);
 }
 
 // `done` heads the column that is ticked by hand.
-std::string table(const DeviceSheet& sheet, bool only_set, std::string_view done) {
+std::string table(const DeviceSheet& sheet, bool only_differing, std::string_view done) {
     std::string text = fmt::format(
         "<table>\n<thead><tr><th class=\"n\">Number</th><th>Parameter</th><th class=\"n\">Value</th>"
         "<th>Unit</th><th class=\"n\">Default</th><th class=\"done\">{}</th></tr></thead>\n<tbody>\n",
         done);
     for (const SheetRow& row : sheet.rows) {
-        text += row.is_set || !only_set ? table_row(row) : "";
+        text += row.differs || !only_differing ? table_row(row) : "";
     }
     return text + "</tbody>\n</table>\n";
 }

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 
 #include "base/ascii.hpp"
 #include "base/utf8.hpp"
@@ -12,16 +13,17 @@ namespace {
 constexpr std::string_view eds_ending = ".eds";
 constexpr std::size_t longest_name = 64;
 
+// Behind --eds-name a slip: "x.dcf" would become "x.dcf.eds".
+constexpr std::array<std::string_view, 4> other_endings{".dcf", ".dbc", ".xdd", ".xdc"};
+
 bool is_allowed(char c) {
     constexpr std::string_view others = " ._-";
     return base::is_letter_or_digit(c) || others.find(c) != std::string_view::npos;
 }
 
-bool has_eds_ending(std::string_view name) {
-    if (name.size() <= eds_ending.size()) {
-        return false;
-    }
-    return base::equal_ignoring_case(name.substr(name.size() - eds_ending.size()), eds_ending);
+bool has_ending(std::string_view name, std::string_view ending) {
+    return name.size() > ending.size() &&
+           base::equal_ignoring_case(name.substr(name.size() - ending.size()), ending);
 }
 
 }  // namespace
@@ -47,7 +49,13 @@ base::Result<std::string> eds_file_name(std::string_view name) {
     if (name.empty() || !base::is_letter_or_digit(name.front())) {
         return refuse("it begins with a letter or digit");
     }
-    const std::string complete = has_eds_ending(name) ? std::string(name) : std::string(name) + ".eds";
+    for (const std::string_view ending : other_endings) {
+        if (has_ending(name, ending)) {
+            return refuse(fmt::format("{} names another kind of file; leave it out, or write .eds", ending));
+        }
+    }
+    const std::string complete =
+        has_ending(name, eds_ending) ? std::string(name) : std::string(name) + ".eds";
     const char last = complete[complete.size() - eds_ending.size() - 1];
     if (!base::is_letter_or_digit(last) && last != '_' && last != '-') {
         return refuse("no blank or point stands before .eds");

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "base/numbers.hpp"
+#include "base/sheet_words.hpp"
 #include "base/text_cells.hpp"
 #include "config/numbers.hpp"
 #include "emit/pdo_rows.hpp"
@@ -32,8 +33,9 @@ const std::string_view switches_remark =
     "3.";
 
 const std::string_view defaults_remark =
-    "Type the table \"set these\" alone only into a device whose other values are 0; otherwise type the "
-    "table \"all that concern CANopen\". Default 0 is an assumption: the manuals print no defaults.";
+    "The table \"set these\" holds only what differs from the default: it is enough for a device whose other "
+    "values are 0. Into any other device type the table \"all that concern CANopen\". Default 0 is an "
+    "assumption: the manuals print no defaults.";
 
 namespace {
 
@@ -112,7 +114,7 @@ std::string decimal_text(double value) {
     return point != std::string::npos && text.size() - point == 4 ? text + "0" : text;
 }
 
-SheetRow sheet_row(const Row& row, double value, bool is_set) {
+SheetRow sheet_row(const Row& row, double value) {
     SheetRow result;
     result.row = &row;
     const bool is_hexadecimal = row.base == parameter::Base::hexadecimal && value >= 0;
@@ -120,7 +122,6 @@ SheetRow sheet_row(const Row& row, double value, bool is_set) {
         is_hexadecimal ? fmt::format("{:X}", static_cast<std::uint32_t>(value)) : decimal_text(value);
     result.unit = is_hexadecimal ? "Hex" : std::string(row.unit);
     result.default_value = row.minimum && *row.minimum > 0 ? "-" : "0";
-    result.is_set = is_set;
     result.differs = value != 0;
     return result;
 }
@@ -130,7 +131,7 @@ DeviceSheet device_sheet(const Plant& plant, Device device) {
     sheet.device = device;
     const ParameterSet& set = plant.settings.of(device);
     for (const Row* row : concerned_rows(plant.catalogue, device, set)) {
-        sheet.rows.push_back(sheet_row(*row, set.value(row->number), set.find(row->number) != nullptr));
+        sheet.rows.push_back(sheet_row(*row, set.value(row->number)));
     }
     return sheet;
 }
@@ -139,7 +140,7 @@ DeviceSheet device_sheet(const Plant& plant, Device device) {
 std::string main_cycle_remark(const parameter::Settings& settings) {
     return settings.main_cycle_us == parameter::Settings{}.main_cycle_us
                ? ""
-               : fmt::format("Main cycle of the governor: {} us. It is no parameter: nothing to type.",
+               : fmt::format("{}{} us. It is no parameter: nothing to type.", base::sheet_main_cycle,
                              settings.main_cycle_us);
 }
 
@@ -161,11 +162,13 @@ EntrySheet entry_sheet(const Plant& plant) {
             plant.configuration_id_text,
             plant.configuration.node_id,
             main_cycle_remark(plant.settings),
+            plant.settings.main_cycle_us,
             {device_sheet(plant, Device::governor), device_sheet(plant, Device::gateway)}};
 }
 
 std::string heading_of(const EntrySheet& sheet) {
-    return sheet.title.empty() ? "Entry sheet" : fmt::format("Entry sheet: {}", base::one_line(sheet.title));
+    return sheet.title.empty() ? "Entry sheet"
+                               : fmt::format("{}{}", base::sheet_heading, base::one_line(sheet.title));
 }
 
 std::string_view device_heading(Device device) {

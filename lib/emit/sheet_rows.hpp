@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -16,7 +17,6 @@ struct SheetRow {
     std::string value;  // as DcDesk shows it: "1.5", "282" with the unit Hex
     std::string unit;
     std::string default_value;  // "0"; "-" where 0 is out of range and somebody must choose
-    bool is_set = false;        // by the file, be it to 0
     bool differs = false;       // from 0
 };
 
@@ -29,7 +29,8 @@ struct EntrySheet {
     std::string title;
     std::string configuration_id;
     std::uint8_t node_id = 0;
-    std::string main_cycle;              // what to say of the governor's, "" for the usual one
+    std::string main_cycle;  // what to say of the governor's, "" for the usual one
+    std::uint32_t main_cycle_us = 0;
     std::array<DeviceSheet, 2> devices;  // governor, gateway
 };
 

@@ -30,10 +30,12 @@ std::optional<Entry> object_entry(const ObjectName& name, const parameter::Catal
 
 // What the device makes of a time; nothing where the parameter is none.
 void add_time(Entry& entry, const parameter::Row& row, std::uint32_t value);
+// The bit, channel or measurement that the value of an 8nn, a 9nn or a TPDO word leads to.
+void add_what_it_leads_to(Entry& entry, const parameter::Row& row, double value,
+                          const parameter::Catalogue& catalogue);
 
 // What the value of a parameter or an object says.
-Entry parameter_value_entry(const parameter::Row& row, std::uint32_t value,
-                            const parameter::Catalogue& catalogue);
+Entry parameter_value_entry(const parameter::Row& row, double value, const parameter::Catalogue& catalogue);
 Answer object_value_answer(const ObjectName& name, std::uint32_t value,
                            const parameter::Catalogue& catalogue);
 

@@ -26,6 +26,7 @@ constexpr std::array forms{
     QuestionForm{"CanOpenMyNodeID", "the same by name"},
     QuestionForm{"12412", "an error: cause, action, how it clears"},
     QuestionForm{"2005h=0x0102", "a value: which bits are set, and why"},
+    QuestionForm{"835=-5", "a value of a parameter: what it leads to, whether it fits"},
     QuestionForm{"2003h:1", "an object of the gateway"},
     QuestionForm{"0x06010002", "an SDO abort code"},
     QuestionForm{"E0203", "a finding, also by name: node-id-duplicate"},
@@ -144,7 +145,14 @@ std::vector<const Row*> rows_numbered_and_named(std::string_view text, const Cat
 
 std::vector<const Row*> rows_meant(std::string_view text, const Catalogue& catalogue) {
     if (const auto number = parse_parameter_number(text)) {
-        return rows_of(*number, catalogue);
+        std::vector<const Row*> rows = rows_of(*number, catalogue);
+        for (const Device device : devices) {
+            const Row* const meant = rows.empty() ? catalogue.find_misprint(device, *number, "") : nullptr;
+            if (meant != nullptr) {
+                rows.push_back(meant);  // 409=250 is 416=250 (D2)
+            }
+        }
+        return rows;
     }
     std::vector<const Row*> rows = rows_of(text, catalogue);
     return rows.empty() ? rows_numbered_and_named(text, catalogue) : rows;
@@ -158,6 +166,8 @@ const diagnostic::Rule* find_rule(std::string_view text) {
     }
     return nullptr;
 }
+
+constexpr std::size_t shortest_beginning = 4;  // of a name, that is taken for it
 
 std::string did_you_mean(std::string_view text, const Catalogue& catalogue) {
     std::vector<std::string_view> names;
@@ -176,8 +186,25 @@ std::string did_you_mean(std::string_view text, const Catalogue& catalogue) {
         names.push_back(error.key);
     }
     std::erase(names, std::string_view{});
-    const std::string near = base::nearest_name(text, names);
+    std::string near(base::nearest_name(text, names));
+    if (near.empty() && text.size() >= shortest_beginning) {
+        const auto begun = std::find_if(names.begin(), names.end(), [&](std::string_view name) {
+            return base::equal_ignoring_case(name.substr(0, text.size()), text);
+        });
+        near = begun == names.end() ? std::string() : std::string(*begun);
+    }
     return near.empty() ? "" : fmt::format("did you mean `{}`?", near);
+}
+
+// "400 CanCommBaud": the number is known, and has another name.
+std::string known_number(std::string_view text, const Catalogue& catalogue) {
+    const auto number = parse_parameter_number(text.substr(0, text.find(' ')));
+    std::string known;
+    for (const Row* row : number ? rows_of(*number, catalogue) : std::vector<const Row*>()) {
+        known += fmt::format("{}{} of the {}", known.empty() ? "" : ", ", label(*row),
+                             program_text(row->device, row->program));
+    }
+    return known.empty() ? "" : "there is " + known;
 }
 
 Answer explain_word(std::string_view text, const Catalogue& catalogue) {
@@ -191,28 +218,34 @@ Answer explain_word(std::string_view text, const Catalogue& catalogue) {
     if (!rows.empty()) {
         return explained(row_entries(rows, catalogue));
     }
-    return refused(fmt::format("nothing is known about {}", quoted(text)), did_you_mean(text, catalogue));
+    const std::string known = known_number(text, catalogue);
+    return refused(fmt::format("nothing is known about {}", quoted(text)),
+                   known.empty() ? did_you_mean(text, catalogue) : known);
 }
 
 // --- values ---
 
 Answer explain_value(std::string_view left, std::string_view right, const Catalogue& catalogue) {
-    const auto value = parse_value(right);
-    if (!value) {
-        return refused(fmt::format("{} is no value: write 5, 0x0102 or 102h", quoted(right)));
+    const auto value = parse_parameter_value(right);
+    const auto bits = parse_value(right);
+    const auto object = parse_object(left);
+    if (!value || (object && !bits)) {
+        return refused(fmt::format("{} is no value: write 5, 0x0102 or 102h{}", quoted(right),
+                                   object ? "" : ", for a parameter also -5 or 1.5"));
     }
-    if (const auto object = parse_object(left)) {
-        return object_value_answer(*object, *value, catalogue);
+    if (object) {
+        return object_value_answer(*object, *bits, catalogue);
     }
     const std::vector<const Row*> rows = rows_meant(left, catalogue);
     const auto number = parse_parameter_number(left);
-    if (rows.empty() && number && facts::is_error_number(*number)) {
-        return explained({nameless_error_value(*number, *value)});
+    if (rows.empty() && number && bits && facts::is_error_number(*number)) {
+        return explained({nameless_error_value(*number, *bits)});
     }
     if (rows.empty()) {
         return refused(fmt::format("nothing is known about {}", quoted(left)), did_you_mean(left, catalogue));
     }
     std::vector<Entry> entries;
+    entries.reserve(rows.size());
     for (const Row* row : rows) {
         entries.push_back(parameter_value_entry(*row, *value, catalogue));
     }

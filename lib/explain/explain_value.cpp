@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 
 #include <fmt/format.h>
 
@@ -198,7 +199,10 @@ void add_object_bits(Entry& entry, const ObjectName& name, std::uint32_t value, 
 
 // --- parameters ---
 
-std::string range_judgement(const Row& row, std::uint32_t value) {
+std::string range_judgement(const Row& row, double value) {
+    if (!row.decimal && value != std::floor(value)) {
+        return "no whole number, and it takes no other";
+    }
     return row.has_range() ? fmt::format("{} {}", row.allows(value) ? "within" : "outside", range_text(row))
                            : std::string();
 }
@@ -219,7 +223,7 @@ void add_parameter_bits(Entry& entry, const Row& row, std::uint32_t value) {
 
 }  // namespace
 
-Entry parameter_value_entry(const Row& row, std::uint32_t value, const Catalogue& catalogue) {
+Entry parameter_value_entry(const Row& row, double value, const Catalogue& catalogue) {
     Entry entry{"value",
                 fmt::format("{} {} = {}", program_text(row.device, row.program), label(row),
                             quantity_text(row, value)),
@@ -230,8 +234,12 @@ Entry parameter_value_entry(const Row& row, std::uint32_t value, const Catalogue
             entry.add("this value", named.text);
         }
     }
-    add_parameter_bits(entry, row, value);
-    add_time(entry, row, value);
+    if (value >= 0 && value == std::floor(value)) {  // read as 32 bits at most
+        const auto whole = static_cast<std::uint32_t>(std::min<double>(value, ~std::uint32_t{0}));
+        add_parameter_bits(entry, row, whole);
+        add_time(entry, row, whole);
+    }
+    add_what_it_leads_to(entry, row, value, catalogue);
     entry.add("range", range_judgement(row, value));
     const ErrorDescription* error = catalogue::find_error(row.device, row.program, row.number);
     if (error == nullptr || value == 0 || error->counter == row.number) {

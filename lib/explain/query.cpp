@@ -89,4 +89,17 @@ std::optional<std::uint32_t> parse_value(std::string_view text) {
                : parse_number(text);
 }
 
+std::optional<double> parse_parameter_value(std::string_view text) {
+    if (const auto value = parse_value(text)) {
+        return *value;
+    }
+    constexpr std::string_view decimal = "0123456789+-.,";
+    if (text.find_first_not_of(decimal) != std::string_view::npos) {
+        return std::nullopt;
+    }
+    std::string with_point(text);
+    std::replace(with_point.begin(), with_point.end(), ',', '.');
+    return base::parse_real(with_point);
+}
+
 }  // namespace cgw::explain

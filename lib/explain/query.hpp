@@ -27,4 +27,7 @@ std::optional<std::uint32_t> parse_number(std::string_view text);
 // The value of a question "3800=9": such a number, or "0b101".
 std::optional<std::uint32_t> parse_value(std::string_view text);
 
+// The same, and what parameters take beyond it: -5, 1.5, 1,5 (D12).
+std::optional<double> parse_parameter_value(std::string_view text);
+
 }  // namespace cgw::explain

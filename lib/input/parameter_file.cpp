@@ -4,6 +4,7 @@
 
 #include <optional>
 
+#include "catalogue/catalogue.hpp"
 #include "input/context.hpp"
 #include "input/parameter_values.hpp"
 #include "input/sections.hpp"
@@ -18,6 +19,12 @@ namespace rules = diagnostic::rules;
 // is a finding, here or when the sections are read, and the file is read as format 1.
 bool check_format(Context& context, const toml::Node& document) {
     const toml::Entry* format = document.find("format");
+    if (catalogue::is_catalogue(document)) {
+        context.report(rules::format_missing, document.range,
+                       "this is a catalogue file, not a parameter file",
+                       "name it in a parameter file: catalogue = [\"FILE\"]");
+        return false;
+    }
     if (format == nullptr) {
         format = misspelt_at_top(document, "format");  // reported with the sections
     }

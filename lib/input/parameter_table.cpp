@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -45,6 +46,7 @@ class TableReader {
           foreign_rows_(device, catalogue) {}
 
     PrintedTable read(const RowsRead& read) {
+        read_facts(read.facts);
         if (read.rows.empty()) {
             report_empty(read.of_other_device);
         } else if (!report_other_device(read.rows)) {
@@ -58,6 +60,23 @@ class TableReader {
     }
 
   private:
+    // Whether the main cycle is one that a governor can have is said of the written file.
+    void read_facts(const SheetFacts& facts) {
+        table_.title = facts.title;
+        if (!facts.main_cycle) {
+            return;
+        }
+        const std::string& text = facts.main_cycle->text;
+        const auto cycle = base::parse_integer(text);
+        if (cycle && *cycle > 0 && *cycle <= std::numeric_limits<std::uint32_t>::max() &&
+            base::consists_of(text, base::digits)) {
+            table_.main_cycle_us = static_cast<std::uint32_t>(*cycle);
+        } else {
+            report(rules::table_row, facts.main_cycle->range,
+                   fmt::format("the main cycle {} is no number of microseconds", toml::quoted(text)));
+        }
+    }
+
     void report(const diagnostic::Rule& rule, const diagnostic::Range& where, std::string message,
                 std::string help = {}) {
         findings_.report({&rule, std::move(message), {path_, where}, {}, std::move(help)});

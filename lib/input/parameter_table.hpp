@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -21,6 +22,8 @@ struct PrintedValue {
 
 struct PrintedTable {
     std::map<std::uint16_t, PrintedValue> values;  // by number
+    std::string title;                             // as cgw's own sheets say it; "": none
+    std::optional<std::uint32_t> main_cycle_us;    // of the governor, likewise
 };
 
 // Columns are separated by tabs, semicolons, bars or blanks, by commas below a header that is; a header may

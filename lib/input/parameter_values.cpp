@@ -11,6 +11,7 @@
 #include "input/parameter_keys.hpp"
 #include "input/required.hpp"
 #include "input/value_limits.hpp"
+#include "parameter/value_text.hpp"
 
 namespace cgw::input {
 namespace {
@@ -154,6 +155,12 @@ class ParameterReader {
     std::map<std::uint16_t, Location> places_;
 };
 
+// ", where VALUE is 1..127"
+std::string range_of(const Row* row) {
+    const std::string range = row != nullptr ? parameter::range_text(*row) : "";
+    return range.empty() ? "" : fmt::format(", where VALUE is {}", range);
+}
+
 }  // namespace
 
 void read_parameters(Context& context, Device device, std::span<const Entry* const> tables) {
@@ -191,7 +198,8 @@ void report_missing(Context& context, Device device) {
                         parameter::to_text(device)),
             manual != nullptr
                 ? fmt::format("set it, or {} = 1 and the bit timing by hand", parameter::label(*manual))
-                : "");
+                : fmt::format("below [{}.parameters] write {} = VALUE{}", parameter::to_text(device),
+                              required.number, range_of(row)));
     }
 }
 

@@ -115,11 +115,14 @@ class Splitter {
     void add(std::vector<Cell>& cells, std::string_view raw, bool with_quotes) const {
         const std::string_view cell = trimmed(raw);
         const bool is_quoted = with_quotes && cell.starts_with('"');
-        std::string text = plain_text(is_quoted ? unquoted(cell) : std::string(cell));
-        if (with_quotes && text.starts_with('\'')) {
-            text.erase(0, 1);  // how a spreadsheet marks what is text and no formula
+        std::string whole = is_quoted ? unquoted(cell) : std::string(cell);
+        std::string text = plain_text(whole);
+        for (std::string* const marked : {&text, &whole}) {
+            if (with_quotes && marked->starts_with('\'')) {
+                marked->erase(0, 1);  // how a spreadsheet marks what is text and no formula
+            }
         }
-        cells.push_back({std::move(text), range_of(cell)});
+        cells.push_back({std::move(text), range_of(cell), std::move(whole)});
     }
 
     std::string_view line_;

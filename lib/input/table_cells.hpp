@@ -16,6 +16,7 @@ enum class Separation : std::uint8_t { tabs, commas, bars, semicolons, blanks };
 struct Cell {
     std::string text;         // without blanks around it, quotes and markup
     diagnostic::Range range;  // as it stands in the file
+    std::string whole{};      // the text with what may be markup
 };
 
 struct CellLine {

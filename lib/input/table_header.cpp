@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "base/ascii.hpp"
+#include "base/sheet_words.hpp"
 #include "input/table_values.hpp"
 #include "toml/document.hpp"
 
@@ -69,6 +70,11 @@ std::optional<Header> header_of(const CellLine& line) {
     for (std::size_t i = 0; i < line.cells.size(); ++i) {
         const std::string& text = line.cells[i].text;
         const std::optional<Column> column = column_of(text);
+        if (text == base::sheet_title_column) {
+            header.title = i;
+        } else if (text == base::sheet_main_cycle_column) {
+            header.main_cycle = i;
+        }
         if (column && !header.has(*column)) {
             header.columns[static_cast<std::size_t>(*column)] = i;
         } else if (looks_like_number(text)) {

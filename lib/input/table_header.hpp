@@ -19,6 +19,8 @@ inline constexpr Columns usual_columns = {std::nullopt, 0, 1, 2, 3};
 
 struct Header {
     Columns columns{};
+    std::optional<std::size_t> title{};       // as cgw's own sheets have it in every row
+    std::optional<std::size_t> main_cycle{};  // likewise, in microseconds
     std::string doubt;  // why the rows below cannot be read with certainty; "" when they can
 
     bool has(Column column) const { return columns[static_cast<std::size_t>(column)].has_value(); }

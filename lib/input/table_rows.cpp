@@ -7,6 +7,8 @@
 
 #include "base/ascii.hpp"
 #include "base/numbers.hpp"
+#include "base/sheet_words.hpp"
+#include "base/text_cells.hpp"
 #include "input/parameter_keys.hpp"
 #include "input/table_header.hpp"
 #include "input/table_values.hpp"
@@ -84,7 +86,8 @@ class RowReader {
 
     void read(std::string_view line, std::uint32_t number, std::size_t skipped) {
         CellLine cells = split_cells(line, number, separation_, skipped);
-        if (cells.cells.empty() || is_comment(cells) || is_rule(cells) || take_header(cells, line, skipped)) {
+        if (cells.cells.empty() || take_fact(line, cells) || is_comment(cells) || is_rule(cells) ||
+            take_header(cells, line, skipped)) {
             return;
         }
         if (is_ellipsis(cells)) {
@@ -103,6 +106,35 @@ class RowReader {
     static bool is_comment(const CellLine& line) {
         const std::string_view first = line.cells.front().text;
         return first.starts_with('#') || first.starts_with("//");
+    }
+
+    // "# Entry sheet: Genset 2", "Main cycle of the governor: 10000 us. ..."
+    bool take_fact(std::string_view line, const CellLine& cells) {
+        constexpr std::string_view mark = "# ";
+        std::string_view heading = line;
+        heading.remove_prefix(heading.starts_with(mark) ? mark.size() : 0);
+        if (heading.size() < line.size() && heading.starts_with(base::sheet_heading)) {
+            heading.remove_prefix(base::sheet_heading.size());
+            heading.remove_suffix(heading.ends_with('\r') ? 1 : 0);
+            result_.facts.title = base::markdown_text(heading);
+            return true;
+        }
+        if (line.starts_with(base::sheet_main_cycle)) {
+            line.remove_prefix(base::sheet_main_cycle.size());
+            result_.facts.main_cycle = Cell{std::string(line.substr(0, line.find(' '))), cells.range};
+            return true;
+        }
+        return false;
+    }
+
+    // Every row of a sheet in CSV says them.
+    void take_facts_of_row(const CellLine& line) {
+        if (title_ && *title_ < line.cells.size()) {
+            result_.facts.title = line.cells[*title_].whole;
+        }
+        if (main_cycle_ && *main_cycle_ < line.cells.size() && !line.cells[*main_cycle_].text.empty()) {
+            result_.facts.main_cycle = line.cells[*main_cycle_];
+        }
     }
 
     void report(const diagnostic::Rule& rule, const diagnostic::Range& where, std::string message,
@@ -126,6 +158,8 @@ class RowReader {
         separation_ = cells.separation;
         header_size_ = cells.cells.size();
         columns_ = header->columns;
+        title_ = header->title;
+        main_cycle_ = header->main_cycle;
         is_skipping_ = report_header(*header, cells);
         return true;
     }
@@ -204,6 +238,7 @@ class RowReader {
                    "separate the columns with tabs or semicolons, or give each column a name in a header");
         } else if (is_number(row.number) && is_of_this_device(line)) {
             result_.rows.push_back(std::move(row));
+            take_facts_of_row(line);
         }
     }
 
@@ -273,6 +308,8 @@ class RowReader {
     diagnostic::Findings& findings_;
     RowsRead result_;
     Columns columns_ = usual_columns;
+    std::optional<std::size_t> title_;
+    std::optional<std::size_t> main_cycle_;
     std::size_t header_size_ = 0;
     std::optional<Separation> separation_;  // of the header in force
     bool is_skipping_ = false;              // below a header that cannot be used

@@ -20,7 +20,15 @@ struct TableRow {
     bool has_columns = true;  // false: blanks separate, and the name may be more than a name
 };
 
+// What a sheet says of the plant besides its rows.
+struct SheetFacts {
+    std::string title;               // "": none
+    std::optional<Cell> main_cycle;  // of the governor, digits as they stand there
+};
+
 struct RowsRead {
+    SheetFacts facts;
+
     std::vector<TableRow> rows;       // of this device
     std::size_t of_other_device = 0;  // rows that a column Device gives to the other one
 };

@@ -74,6 +74,32 @@ TEST(NewFile, has_no_findings_once_they_are_filled_in) {
     EXPECT_EQ(findings(filled_in(written())), std::vector<std::string>{});
 }
 
+// The remarks at 428 and 430, done as they say.
+TEST(NewFile, says_what_a_plant_without_a_partner_writes) {
+    std::string text = filled_in(written());
+    const auto write = [&text](const std::string& old_line, const std::string& line) {
+        const std::size_t at = text.find(old_line);
+        ASSERT_NE(at, std::string::npos) << old_line;
+        text.replace(at, old_line.size(), line);
+    };
+    EXPECT_NE(text.find("# without a partner write 0 here and at 430\n\"428 "), std::string::npos);
+    EXPECT_NE(text.find("# without a partner (428 = 0) write 0 here as well\n\"430 "), std::string::npos);
+    write("\"428 CanOpenPartnerNodeID\" = 127", "\"428 CanOpenPartnerNodeID\" = 0");
+    EXPECT_EQ(findings(text).size(), 1U);
+    write(" = 2000\n", " = 0\n");
+    EXPECT_EQ(findings(text), std::vector<std::string>{});
+}
+
+TEST(NewFile, gets_help_with_each_value_that_is_missing) {
+    const driver::CheckedFile file = driver::check_text("new.toml", written());
+    for (const diagnostic::Diagnostic& finding : file.findings.all()) {
+        EXPECT_NE(finding.help, "") << finding.message;
+        if (finding.message.starts_with("427 ")) {
+            EXPECT_EQ(finding.help, "below [gateway.parameters] write 427 = VALUE, where VALUE is 1..127");
+        }
+    }
+}
+
 TEST(NewFile, has_no_findings_with_its_examples_either) {
     const std::string text = std::regex_replace(
         filled_in(written()), std::regex("\n# (\"[0-9]+ [^\n]* = |\\[network|nodes = )"), "\n$1");

@@ -191,6 +191,12 @@ class Check(Verb):
             code, text = self.on_a_terminal("check", path, *arguments, **environment)
             self.assertEqual((code, b"\x1b[" in text), (1, expected), (arguments, environment, text))
 
+    def test_formats_for_programs_are_never_coloured(self):
+        path, _ = self.bad()
+        for format in ("human", "concise", "github", "json", "sarif"):
+            result = cgw("check", path, "--format", format, "--color", "always")
+            self.assertEqual((result.returncode, b"\x1b[" in result.stdout), (1, format == "human"), format)
+
     def names(self, *arguments):
         """Exit code, and level and name of every finding."""
         result = cgw("check", *arguments, "--format", "concise")
@@ -423,7 +429,7 @@ class Usage(Verb):
         self.assert_usage("FILE is missing", "emit", "eds")
         self.assert_usage("--eds-name is an option of eds, dcf, dbc, not of image", "emit", "image", GENSET,
                           "--eds-name", "x")
-        for name in ("../x", "a/b.eds", "", ".eds", "x;y", "Gr\u00f6\u00dfe"):
+        for name in ("../x", "a/b.eds", "", ".eds", "x;y", "Gr\u00f6\u00dfe", "x.dcf", "x.xdd"):
             self.assert_usage("is no name for a data sheet", "emit", "eds", GENSET, "--eds-name", name)
             self.assert_usage("is no name for a data sheet", "build", GENSET, "-o", self.dir, "--eds-name", name)
         self.assert_usage("human, concise, json", "check", "--format", "xml", GENSET)
@@ -662,7 +668,8 @@ class Emit(Verb):
         result = cgw("emit", "image", file, "-o", self.dir / "x.bin", "--depfile", self.dir / "x.d")
         self.assertEqual(result.returncode, 0, result.stderr)
         self.assertEqual((self.dir / "x.d").read_text(),
-                         f"{self.dir}/x.bin: \\\n  {self.dir}/with\\ catalogue.toml \\\n  {self.dir}/more.toml\n")
+                         f"{self.dir}/x.bin: \\\n  {self.dir}/with\\ catalogue.toml \\\n  {self.dir}/more.toml\n"
+                         f"{self.dir}/more.toml:\n")
 
     def test_check_tells_fresh_from_stale(self):
         target = self.dir / "x.eds"
@@ -708,7 +715,7 @@ class New(Verb):
         path = self.dir / "plant.toml"
         self.assertEqual(cgw("new", "-o", path, "--title", "Genset 2").returncode, 0)
         text = path.read_text()
-        self.assertEqual(re.findall(r'^# FILL IN: .*\n# .*\n# "(.*)" =$', text, re.M), list(self.VALUES))
+        self.assertEqual(re.findall(r'^# FILL IN: .*(?:\n# [^"\n]*)+\n# "(.*)" =$', text, re.M), list(self.VALUES))
         report = json.loads(cgw("check", path, "--format", "json").stdout)
         errors = [f["message"] for f in report["files"][0]["diagnostics"] if f["level"] == "error"]
         self.assertEqual(len(errors), 5, errors)

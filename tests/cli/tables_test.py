@@ -2,6 +2,7 @@
 import json
 import os
 import pathlib
+import re
 import shutil
 import subprocess
 import tempfile
@@ -154,6 +155,30 @@ class Diff(Case):
         jsonschema.validate(document, schema)
         self.assertEqual([p["number"] for p in document["not_in_table"]], [14401])
         self.assertIsNone(document["b"]["configuration_id"])
+
+    def test_page_schema_and_code_name_the_same_keys_and_kinds(self):
+        schema = json.loads((SCHEMAS / "diff-report.schema.json").read_text())
+        page = (SCHEMAS.parent / "docs/command-line.md").read_text().split("\n### diff\n")[1].split("\n### ")[0]
+        keys = [key for row in re.findall(r"^\| (`[^|]*) \|", page, re.M) for key in re.findall(r"`(\w+)`", row)]
+        self.assertEqual(sorted(keys), sorted(schema["properties"]))
+        self.assertEqual(sorted(keys), sorted(json.loads(cgw("diff", GENSET, GENSET, "--format", "json").stdout)))
+        for key in ("parameters", "not_printed"):
+            items = schema["properties"][key]["items"]
+            required = (schema["$defs"]["parameter"] if "$ref" in items else items)["required"]
+            row = re.search(rf"^\| `{key}` \| (.*) \|$", page, re.M).group(1)
+            self.assertEqual(re.findall(r"`(\w+)`", row)[:len(required)], required)
+        sentence = page.split("Kinds of consequences: ")[1].split("Use\n`kind`")[0]
+        consequences, otherwise = sentence.split("; otherwise: ")
+        wanted = {key: sorted(schema["properties"][key]["items"]["properties"]["kind"]["enum"])
+                  for key in ("consequences", "otherwise")}
+        self.assertEqual(sorted(re.findall(r"`([a-z-]+)`", consequences)), wanted["consequences"])
+        self.assertEqual(sorted(re.findall(r"`([a-z-]+)`", otherwise)), wanted["otherwise"])
+        code = "".join(path.read_text() for path in (SCHEMAS.parent / "lib/compare").glob("*.cpp"))
+        for kind in wanted["consequences"] + wanted["otherwise"]:
+            self.assertIn(f'"{kind}"', code)
+        noted = re.findall(r'\bnote\([\w.]+,\s*"([a-z-]+)"', code)
+        self.assertGreater(len(noted), 8)
+        self.assertLessEqual(set(noted), set(wanted["consequences"] + wanted["otherwise"]))
 
     def test_a_file_and_tables_as_found(self):
         result = cgw("diff", MANUAL, "--governor", self.governor_table(), "--gateway", GATEWAY_TABLE)
@@ -308,7 +333,7 @@ class EntrySheet(Case):
         text = text.replace("902 = 2 ", "902 = 2 # ")
         plant = self.write("a.toml", text)
         self.assertIn(b"&lt;b&gt;", cgw("emit", "entry-sheet", plant, "--format", "html").stdout)
-        self.assertIn(b",'=1+1 <b>|\n", cgw("emit", "entry-sheet", plant, "--format", "csv").stdout)
+        self.assertIn(b",'=1+1 <b>|,15625\n", cgw("emit", "entry-sheet", plant, "--format", "csv").stdout)
         self.assertIn(b"=1+1 \\<b>\\|\n", cgw("emit", "entry-sheet", plant).stdout)
 
 

@@ -17,6 +17,15 @@ TEST(Ascii, spells_umlauts_and_signs) {
     EXPECT_EQ(to_ascii("Größe 5 °C, Öl & Übermaß"), "Groesse 5 degC, Oel & Uebermass");
     EXPECT_EQ(to_ascii("Ångström – 3 m³ “µ”"), "Aangstroem - 3 m3 \"u\"");
     EXPECT_EQ(to_ascii("ΔT 5 kΩ"), "DeltaT 5 kOhm");
+    EXPECT_EQ(to_ascii("‰ m²"), "permille m2");
+    EXPECT_EQ(to_ascii("min⁻¹, N⋅m, 20 ℃, 68 ℉, 293 \xE2\x84\xAA"), "min-1, N.m, 20 degC, 68 degF, 293 K");
+}
+
+TEST(Ascii, tells_what_has_no_form) {
+    EXPECT_TRUE(has_ascii_form(""));
+    EXPECT_TRUE(has_ascii_form("°C / ‰?"));
+    EXPECT_FALSE(has_ascii_form("船?"));
+    EXPECT_FALSE(has_ascii_form("\xFC"));
 }
 
 TEST(Ascii, drops_accents_from_the_latin_blocks) {

@@ -11,7 +11,15 @@ namespace cgw::driver {
 
 TEST(DependencyFile, escapes_what_make_and_ninja_would_split_or_expand) {
     EXPECT_EQ(dependency_file("out/a b.bin", {"x.toml", "costs $5 #1.toml"}),
-              "out/a\\ b.bin: \\\n  x.toml \\\n  costs\\ $$5\\ \\#1.toml\n");
+              "out/a\\ b.bin: \\\n  x.toml \\\n  costs\\ $$5\\ \\#1.toml\n"
+              "costs\\ $$5\\ \\#1.toml:\n");
+}
+
+TEST(DependencyFile, has_an_empty_rule_for_each_file_but_the_first) {
+    EXPECT_EQ(dependency_file("o", {"x", "y", "z"}), "o: \\\n  x \\\n  y \\\n  z\ny:\nz:\n");
+    EXPECT_EQ(dependency_file("o", {"x"}), "o: \\\n  x\n");
+    EXPECT_EQ(dependency_file("o", {"-", "y"}), "o: \\\n  y\ny:\n");
+    EXPECT_EQ(dependency_file("o", {}), "o:\n");
 }
 
 TEST(BuildArtefacts, have_the_names_that_are_listed) {

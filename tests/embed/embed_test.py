@@ -42,6 +42,7 @@ class Consumer:
         for name in ("plant.toml", "engine.toml"):
             shutil.copy(here / name, self.work)
         self.plant, self.catalogue = self.work / "plant.toml", self.work / "engine.toml"
+        self.makefiles = generator == "Unix Makefiles"
         self.build_directory = self.work / "build"
         self.program = self.build_directory / "consumer"
         self.generated = self.build_directory / "cgw_embed/consumer_plant_image.cpp"
@@ -102,6 +103,19 @@ def changed_catalogue(consumer):
     nothing_changed(consumer)
 
 
+def renamed_catalogue(consumer):
+    """The dependency file of the last build still names the old one, which nothing makes."""
+    renamed = consumer.catalogue.with_name("renamed.toml")
+    for old, new in ((consumer.catalogue, renamed), (renamed, consumer.catalogue)):
+        old.rename(new)
+        consumer.edit(consumer.plant, old.name, new.name)
+        check("Compiling configuration" in consumer.must_build(), "a renamed catalogue did not compile the file again")
+        if consumer.makefiles:  # CMake's own list keeps the old name until it is made anew, as the page says
+            must(options.cmake, "--build", consumer.build_directory, "--target", "depend")
+            consumer.must_build()
+        nothing_changed(consumer)
+
+
 def changed_comment(consumer):
     before = consumer.id()
     consumer.edit(consumer.plant, "format = 1\n", "# a comment\nformat = 1\n")
@@ -138,6 +152,6 @@ present = [generator for generator, program in generators.items() if shutil.whic
 check(present, "neither ninja nor make is installed")
 for generator in present:
     consumer = Consumer(generator)
-    for step in (good_file, nothing_changed, changed_catalogue, changed_comment, bad_file, refused_arguments):
+    for step in (good_file, nothing_changed, changed_catalogue, renamed_catalogue, changed_comment, bad_file, refused_arguments):
         step(consumer)
 print(f"{checks} checks with {', '.join(present)}")

@@ -112,6 +112,19 @@ TEST(EmitDbc, scales_by_the_external_limits) {
     EXPECT_TRUE(contains(text, "CM_ SG_ 1153 CoolantTemp \"2907 CoolantTemp, 2001h:2\";"));
 }
 
+TEST(EmitDbc, spells_units_or_leaves_them_out_with_a_word) {
+    parameter::Row load = scaled(2001, "Load", 0, 65535);
+    load.unit = "‰ m²";
+    parameter::Row odd = scaled(2002, "Odd", 0, 65535);
+    odd.unit = "船/h";
+    const std::string text = tpdo4_of({&load, &odd});
+    EXPECT_TRUE(contains(text, " SG_ Load : 0|16@1+ (1,0) [0|65535] \"permille m2\" Master"));
+    EXPECT_TRUE(contains(text, " SG_ Odd : 16|16@1+ (1,0) [0|65535] \"\" Master"));
+    EXPECT_TRUE(contains(text,
+                         "CM_ SG_ 1153 Odd \"2002 Odd, 2001h:2; scaled, but its unit has no spelling in "
+                         "ASCII and is left out\";"));
+}
+
 TEST(EmitDbc, keeps_a_falling_line_and_states_its_range_in_order) {
     const parameter::Row row = scaled(2001, "Gap", 65535, 0);
     EXPECT_TRUE(contains(tpdo4_of({&row}), " SG_ Gap : 0|16@1+ (-1,65535) [0|65535] \"\" Master"));

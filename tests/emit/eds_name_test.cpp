@@ -45,6 +45,13 @@ TEST(EdsName, is_refused_with_the_reason) {
     for (const std::string name : {"x ", "x .eds", "x.", "x..eds"}) {
         EXPECT_TRUE(contains(accepted(name), "no blank or point stands before .eds")) << name;
     }
+    for (const std::string ending : {".dcf", ".dbc", ".xdd", ".xdc"}) {
+        EXPECT_EQ(accepted("x" + ending), "refused: 'x" + ending +
+                                              "' is no name for a data sheet: " + ending +
+                                              " names another kind of file; leave it out, or write .eds");
+        EXPECT_EQ(accepted("x" + ending + "s"), "x" + ending + "s.eds");
+    }
+    EXPECT_TRUE(contains(accepted("x.DCF"), ".dcf names another kind of file"));
     EXPECT_EQ(accepted(std::string(60, 'x')), std::string(60, 'x') + ".eds");
     EXPECT_TRUE(contains(accepted(std::string(61, 'x')), "it has at most 64 characters"));
 }
@@ -57,6 +64,10 @@ TEST(EdsName, stands_in_the_file_and_names_it) {
     EXPECT_TRUE(contains(text_of(eds.emit(plant.view(), options)), "FileName=starboard.eds\r\n"));
     EXPECT_EQ(file_name(eds.formats.front(), options), "starboard.eds");
     EXPECT_EQ(file_name(eds.formats.front(), {}), "CANopenGateway.eds");
+    options.eds_name = "PORT.EDS";
+    EXPECT_EQ(file_name(eds.formats.front(), options), "PORT.EDS");
+    EXPECT_EQ(file_name(find_emitter("dcf")->formats.front(), options), "PORT.dcf");
+    options.eds_name = "starboard.eds";
     EXPECT_EQ(file_name(find_emitter("image")->formats.front(), options), "gateway-config.bin");
 }
 

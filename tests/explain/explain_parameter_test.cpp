@@ -112,5 +112,13 @@ TEST_F(Explain, a_parameter_names_the_pages_of_its_manual) {
     EXPECT_EQ(field("1800", "pages"), "-");
 }
 
+TEST_F(Explain, a_wrong_name_behind_a_number_leads_to_the_right_one) {
+    EXPECT_EQ(complaint("427 CanCommBaud"),
+              "nothing is known about `427 CanCommBaud` | there is 427 CanOpenMyNodeID of the gateway");
+    EXPECT_EQ(complaint("node-id-dup"),
+              "nothing is known about `node-id-dup` | did you mean `node-id-duplicate`?");
+    EXPECT_EQ(complaint("xyz 9"), "nothing is known about `xyz 9`");
+}
+
 }  // namespace
 }  // namespace cgw::explain

@@ -113,5 +113,40 @@ TEST_F(Explain, values_that_cannot_be_are_refused) {
               "nothing is known about `CanOpenMyNodID` | did you mean `CanOpenMyNodeID`?");
 }
 
+TEST_F(Explain, a_switch_value_is_a_bit_and_a_sensor_value_a_channel) {
+    EXPECT_EQ(field("827=-5", "means"), "with 4827 = 3: bit 5 of RPDO1 word 1, low-active");
+    EXPECT_EQ(field("827=16", "means"), "with 4827 = 3: bit 16 of RPDO1 word 1, high-active");
+    EXPECT_EQ(field("835=17", "means"), "with 4835 = 3: refused, RPDO1 word 1 has bits 1..16 (E0210)");
+    EXPECT_EQ(field("835=0", "means"), "with 4835 = 3: no bit, it does not come over CANopen (D27)");
+    EXPECT_EQ(field("900=6", "means"), "with 4900 = 3: word 2 of RPDO3, 2004h:6");
+    EXPECT_EQ(field("900=13", "means"), "with 4900 = 3: refused, there are channels 1..12 (E0211)");
+    EXPECT_EQ(field("900=-1", "means"), "with 4900 = 3: refused, there are channels 1..12 (E0211)");
+}
+
+TEST_F(Explain, an_assigned_number_is_a_measurement) {
+    EXPECT_TRUE(field("16400=2000", "means").starts_with("sends 2000 Speed: "))
+        << field("16400=2000", "means");
+    EXPECT_EQ(field("16400=0", "means"), "nothing is sent; words behind it close up (D23)");
+    EXPECT_EQ(field("16400=2999", "means"),
+              "refused, unless 2999 is declared: no catalogue knows it (E0213)");
+    EXPECT_TRUE(field("16451=2810", "means").starts_with("refused, 2810 "));
+    EXPECT_EQ(field("16400=30000", "means"), "-");  // outside its range already
+}
+
+TEST_F(Explain, a_value_of_a_misprinted_number_is_one_of_the_number_meant) {  // D2
+    EXPECT_EQ(titles("409=250"), "governor 416 CanBaudrate = 250 kbit/s");
+}
+
+TEST_F(Explain, parameters_take_signs_and_fractions) {
+    EXPECT_EQ(titles("978=0.5"), "governor 978 CoolPressSensorLow = 0.5 bar");
+    EXPECT_EQ(titles("978=0,5"), "governor 978 CoolPressSensorLow = 0.5 bar");  // D12
+    EXPECT_EQ(field("429=1.5", "range"), "no whole number, and it takes no other");
+    EXPECT_EQ(field("427=-1", "range"), "outside 1..127");
+    EXPECT_EQ(complaint("427=1e3"),
+              "`1e3` is no value: write 5, 0x0102 or 102h, for a parameter also -5 or 1.5");
+    EXPECT_EQ(complaint("2005h=-1"), "`-1` is no value: write 5, 0x0102 or 102h");
+    EXPECT_EQ(complaint("427=--1").substr(0, 5), "`--1`");
+}
+
 }  // namespace
 }  // namespace cgw::explain

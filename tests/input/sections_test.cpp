@@ -287,15 +287,19 @@ TEST(InputSections, all_mistakes_are_reported_in_one_run) {
     const Outcome outcome = read(
         "format = 1\n[document]\nrevision = -1\n[governor.parameters]\n401 = 0\n[network]\nnodes = [0]\n");
     EXPECT_EQ(show(outcome.findings),
-              "E0109 0:0 401 CanMyNodeNumber of the gateway is missing and has no default\n"
-              "E0109 0:0 402 CanDCNodeNumber of the gateway is missing and has no default\n"
+              "E0109 0:0 401 CanMyNodeNumber of the gateway is missing and has no default | "
+              "below [gateway.parameters] write 401 = VALUE, where VALUE is 1..31\n"
+              "E0109 0:0 402 CanDCNodeNumber of the gateway is missing and has no default | "
+              "below [gateway.parameters] write 402 = VALUE, where VALUE is 1..31\n"
               "E0109 0:0 416 HzmCanBaudrate of the gateway is missing and has no default | "
               "set it, or 4416 HzmCanSegmOrBaudrate = 1 and the bit timing by hand\n"
               "E0109 0:0 426 CanOpenBaudrate of the gateway is missing and has no default | "
               "set it, or 4426 CanOpSegmOrBaudrate = 1 and the bit timing by hand\n"
-              "E0109 0:0 427 CanOpenMyNodeID of the gateway is missing and has no default\n"
+              "E0109 0:0 427 CanOpenMyNodeID of the gateway is missing and has no default | "
+              "below [gateway.parameters] write 427 = VALUE, where VALUE is 1..127\n"
               "E0104 3:12 `revision` is -1, outside 0..255\n"
-              "E0109 4:1 403 CanCMNodeNumber of the governor is missing and has no default\n"
+              "E0109 4:1 403 CanCMNodeNumber of the governor is missing and has no default | "
+              "below [governor.parameters] write 403 = VALUE, where VALUE is 1..31\n"
               "E0109 4:1 416 CanBaudrate of the governor is missing and has no default | "
               "set it, or 4416 CanSegmentOrBaudrate = 1 and the bit timing by hand\n"
               "E0111 5:7 401 CanMyNodeNumber is 0, outside 1..31\n"

@@ -151,17 +151,21 @@ TEST(InputValues, a_single_parameter_takes_no_list_and_no_list_is_empty) {
 
 TEST(InputValues, what_is_required_is_missed_at_the_table) {
     EXPECT_EQ(show(read(head + gateway + "\n[governor.parameters]\n400 = 1\n").findings),
-              "E0109 10:1 401 CanMyNodeNumber of the governor is missing and has no default\n"
-              "E0109 10:1 403 CanCMNodeNumber of the governor is missing and has no default\n"
+              "E0109 10:1 401 CanMyNodeNumber of the governor is missing and has no default | "
+              "below [governor.parameters] write 401 = VALUE, where VALUE is 1..31\n"
+              "E0109 10:1 403 CanCMNodeNumber of the governor is missing and has no default | "
+              "below [governor.parameters] write 403 = VALUE, where VALUE is 1..31\n"
               "E0109 10:1 416 CanBaudrate of the governor is missing and has no default | "
               "set it, or 4416 CanSegmentOrBaudrate = 1 and the bit timing by hand");
     EXPECT_EQ(show(read(head + governor + "[gateway]\nparameters = { 401 = 1 }\n").findings),
-              "E0109 8:14 402 CanDCNodeNumber of the gateway is missing and has no default\n"
+              "E0109 8:14 402 CanDCNodeNumber of the gateway is missing and has no default | "
+              "below [gateway.parameters] write 402 = VALUE, where VALUE is 1..31\n"
               "E0109 8:14 416 HzmCanBaudrate of the gateway is missing and has no default | "
               "set it, or 4416 HzmCanSegmOrBaudrate = 1 and the bit timing by hand\n"
               "E0109 8:14 426 CanOpenBaudrate of the gateway is missing and has no default | "
               "set it, or 4426 CanOpSegmOrBaudrate = 1 and the bit timing by hand\n"
-              "E0109 8:14 427 CanOpenMyNodeID of the gateway is missing and has no default");
+              "E0109 8:14 427 CanOpenMyNodeID of the gateway is missing and has no default | "
+              "below [gateway.parameters] write 427 = VALUE, where VALUE is 1..127");
 }
 
 TEST(InputValues, manual_timing_makes_a_bit_rate_optional) {

@@ -92,6 +92,16 @@ def the_printed_makefile_works(prefix):
     must(*make, cwd=project)
     check((project / "plant-image.cpp").read_bytes() == before, "a comment changed the image")
     check("Nothing to be done" in must(*make, cwd=project), "an unchanged output is built again and again")
+    for name in ("more.toml", "renamed.toml"):  # the old name stays in the dependency files until the next run
+        time.sleep(1.1)
+        for old in project.glob("more.toml"):
+            old.unlink()
+        (project / name).write_text('device = "governor"\n')
+        text = re.sub(r"catalogue = .*\n", "", plant.read_text())
+        plant.write_text(text.replace("format = 1\n", f'format = 1\ncatalogue = ["{name}"]\n', 1))
+        must(*make, cwd=project)
+        check(name in (project / "plant-image.d").read_text(), f"{name} is not in the dependency file")
+        check("Nothing to be done" in must(*make, cwd=project), "make builds again after the rename")
     time.sleep(1.1)
     plant.write_text(plant.read_text().replace("format = 1", "format = 9"))
     code, output = run(*make, cwd=project)
@@ -99,7 +109,30 @@ def the_printed_makefile_works(prefix):
     check((project / "plant-image.cpp").read_bytes() == before, "a bad file changed an output")
 
 
+def ninja_reads_the_dependency_file(prefix):
+    """With and without deps = gcc: a renamed catalogue builds the image again, and once."""
+    for deps in ("", "  deps = gcc\n"):
+        project = work / f"ninja{len(deps)}"
+        project.mkdir()
+        (project / "build.ninja").write_text(
+            f"rule cgw\n  command = {prefix}/bin/cgw emit image $in -o $out --depfile $out.d\n"
+            f"  depfile = $out.d\n{deps}  restat = 1\nbuild plant.bin: cgw plant.toml\n")
+        sample = (prefix / "share/cgw/samples/minimal.toml").read_text()
+        for name in ("more.toml", "renamed.toml"):
+            for old in project.glob("more.toml"):
+                old.unlink()
+            (project / name).write_text('device = "governor"\n')
+            (project / "plant.toml").write_text(
+                sample.replace("format = 1\n", f'format = 1\ncatalogue = ["{name}"]\n', 1))
+            check("[1/1]" in must("ninja", cwd=project), f"{name} did not build the image")
+            check("no work to do" in must("ninja", cwd=project), f"ninja builds again after {name}")
+            time.sleep(1.1)
+        (project / name).write_text('# changed\ndevice = "governor"\n')
+        check("[1/1]" in must("ninja", cwd=project), "a changed catalogue did not build the image")
+
+
 prefix = installed_and_moved()
 a_project_finds_it(prefix)
 the_printed_makefile_works(prefix)
+ninja_reads_the_dependency_file(prefix)
 print("the installed package works")

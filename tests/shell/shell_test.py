@@ -68,6 +68,11 @@ class Asked(unittest.TestCase):
         self.assertEqual({word.rstrip("/") for word in self.ask("cgw build plant.toml -o a")}, {"artefacts"})
         self.assertEqual(self.ask("cgw check --colo"), {"--color"})
         self.assertEqual(self.ask("cgw image inspect --j"), {"--json"})
+        self.assertIn("monitoring-short", self.ask("cgw check -W mon"))
+        self.assertIn("no-monitoring-short", self.ask("cgw check -W no-mon"))
+        codes = set(re.findall(r"^E02\d\d", run(CGW, "list", "checks").stdout, re.M))
+        self.assertGreater(len(codes), 3)
+        self.assertEqual(self.ask("cgw explain E02"), codes)
 
 
 class Bash(Asked):
