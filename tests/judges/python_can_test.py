@@ -19,11 +19,13 @@ except ImportError:
 CGW = os.environ["CGW"]
 PEER = os.environ["CGW_HUB_PEER"]
 DEADLINE = 60
+# Loopback, but not the address from which connections are made: nobody takes the port of a hub that is away.
+HOST = "127.83.0.1"
 
 
 class PythonCan(unittest.TestCase):
     def setUp(self):
-        self.hub = self.start([CGW, "hub", "--listen", "127.0.0.1:0"])
+        self.hub = self.start([CGW, "hub", "--listen", f"{HOST}:0"])
         self.port = int(re.search(r":(\d+),", self.hub.stdout.readline()).group(1))
 
     def start(self, command):
@@ -38,14 +40,14 @@ class PythonCan(unittest.TestCase):
             self.assertEqual(process.returncode, 0)
 
     def bus(self, channel="can0"):
-        bus = can.Bus(interface="socketcand", host="127.0.0.1", port=self.port, channel=channel)
+        bus = can.Bus(interface="socketcand", host=HOST, port=self.port, channel=channel)
         self.addCleanup(bus.shutdown)
         return bus
 
     def peer(self):
         """A client of ours, which answers even identifiers with the next one and the data reversed."""
-        process = self.start([PEER, f"hub:127.0.0.1:{self.port}"])
-        self.assertEqual(process.stdout.readline(), f"up hub:127.0.0.1:{self.port}: on bus can0\n")
+        process = self.start([PEER, f"hub:{HOST}:{self.port}"])
+        self.assertEqual(process.stdout.readline(), f"up hub:{HOST}:{self.port}: on bus can0\n")
         return process
 
     def receive(self, bus, count=1):
@@ -92,7 +94,7 @@ class PythonCan(unittest.TestCase):
     def test_joins_a_busy_bus(self):
         """python-can expects every answer of the handshake alone."""
         stop = threading.Event()
-        sender = socket.create_connection(("127.0.0.1", self.port), timeout=DEADLINE)
+        sender = socket.create_connection((HOST, self.port), timeout=DEADLINE)
         self.addCleanup(sender.close)
         sender.sendall(b"< open can0 >")
 
@@ -104,7 +106,7 @@ class PythonCan(unittest.TestCase):
         thread.start()
         try:
             for _ in range(15):
-                bus = can.Bus(interface="socketcand", host="127.0.0.1", port=self.port, channel="can0")
+                bus = can.Bus(interface="socketcand", host=HOST, port=self.port, channel="can0")
                 self.assertEqual(self.receive(bus), [(0x123, b"\x01\x02\x03")])
                 bus.shutdown()
         finally:
@@ -115,7 +117,7 @@ class PythonCan(unittest.TestCase):
         """python-can's interface neither sends nor reads remote frames; they must not disturb it."""
         self.peer()
         bus = self.bus()
-        with socket.create_connection(("127.0.0.1", self.port), timeout=DEADLINE) as raw:
+        with socket.create_connection((HOST, self.port), timeout=DEADLINE) as raw:
             for message in (b"", b"< open can0 >", b"< rawmode >"):
                 raw.sendall(message)
                 raw.recv(100)
@@ -138,7 +140,7 @@ class PythonCan(unittest.TestCase):
         threading.Thread(target=lambda: [lines.put(line) for line in peer.stdout], daemon=True).start()
         self.end(self.hub)
         self.assertRegex(lines.get(timeout=DEADLINE), r"\Adown hub:")
-        self.hub = self.start([CGW, "hub", "--listen", f"127.0.0.1:{self.port}"])
+        self.hub = self.start([CGW, "hub", "--listen", f"{HOST}:{self.port}"])
         self.assertIn(str(self.port), self.hub.stdout.readline())
         line = lines.get(timeout=DEADLINE)
         while line.startswith("down"):

@@ -31,6 +31,9 @@ struct Joined {
     ChannelSource source;
 };
 
+// Loopback, but not the address from which connections are made: nobody takes the port of a hub that is away.
+constexpr const char* hub_host = "127.83.0.1";
+
 // Until `condition`; false when that does not come.
 template <typename Condition>
 bool runs_until(Loop& loop, Condition condition) {
@@ -47,7 +50,7 @@ bool runs_until(Loop& loop, Condition condition) {
 std::unique_ptr<Hub> started_hub(std::uint16_t port = 0, HubOptions options = {}) {
     auto hub = std::make_unique<Hub>(
         std::move(options), [] { return 1'000'000U; }, [](std::string_view) {});
-    const auto listening = hub->listen({"127.0.0.1", port});
+    const auto listening = hub->listen({hub_host, port});
     EXPECT_TRUE(listening) << listening.error().message;
     return hub;
 }
