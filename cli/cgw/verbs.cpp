@@ -4,8 +4,9 @@ namespace cgw::cli {
 
 std::span<const Verb* const> all_verbs() {
     static constexpr const Verb* verbs[] = {
-        &check_verb, &build_verb,        &emit_verb,         &list_verb,          &explain_verb, &schema_verb,
-        &new_verb,   &import_table_verb, &image_verify_verb, &image_inspect_verb, &diff_verb,    &clone_verb,
+        &check_verb,  &build_verb, &emit_verb,         &list_verb,         &explain_verb,
+        &schema_verb, &new_verb,   &import_table_verb, &image_verify_verb, &image_inspect_verb,
+        &diff_verb,   &clone_verb, &hub_verb,
     };
     return verbs;
 }

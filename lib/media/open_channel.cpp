@@ -1,0 +1,91 @@
+#include "media/open_channel.hpp"
+
+#include <fmt/format.h>
+
+#include "base/numbers.hpp"
+#include "media/hub_channel.hpp"
+#include "media/slcan_channel.hpp"
+#include "media/socketcan_channel.hpp"
+
+namespace cgw::media {
+namespace {
+
+using Opened = base::Result<std::unique_ptr<Channel>>;
+
+constexpr std::string_view hub_form = "hub:HOST:PORT[/BUS]";
+constexpr std::string_view socketcan_form = "socketcan:INTERFACE";
+constexpr std::string_view slcan_form = "slcan:TTY@KBIT";
+
+Opened mistake(std::string_view whole, std::string_view what, std::string_view form) {
+    return base::failure(fmt::format("'{}': {}; write {}", whole, what, form));
+}
+
+Opened open_hub(std::string_view whole, std::string_view rest) {
+    HubChannelOptions options;
+    const std::size_t slash = rest.find('/');
+    if (slash != std::string_view::npos) {
+        options.bus = rest.substr(slash + 1);
+        if (!is_bus_name(options.bus)) {
+            return mistake(whole, "a bus has a name of 1..16 letters, digits, '.', '_' or '-'", hub_form);
+        }
+    }
+    const auto where = parse_host_port(rest.substr(0, slash));
+    if (!where) {
+        return mistake(whole, where.error().message, hub_form);
+    }
+    if (where->port == 0) {
+        return mistake(whole, "port 0 is nobody's; cgw hub says on which port it listens", hub_form);
+    }
+    auto addresses = resolve(*where);
+    if (!addresses) {
+        return mistake(whole, addresses.error().message, hub_form);
+    }
+    return std::make_unique<HubChannel>(std::string(whole), std::move(*addresses), std::move(options));
+}
+
+Opened open_interface(std::string_view whole, std::string_view rest) {
+    return rest.empty() ? mistake(whole, "no interface is named", socketcan_form)
+                        : open_socketcan(std::string(rest));
+}
+
+Opened open_adapter(std::string_view whole, std::string_view rest) {
+    const std::size_t at = rest.rfind('@');
+    const auto kbit = at == std::string_view::npos ? std::nullopt : base::parse_integer(rest.substr(at + 1));
+    constexpr std::int64_t fastest = 1000;  // kbit/s; which of the lower ones exist open_slcan knows
+    if (!kbit || *kbit < 1 || *kbit > fastest || at == 0) {
+        return mistake(whole, "a port and a bit rate are needed", slcan_form);
+    }
+    return open_slcan(std::string(rest.substr(0, at)), static_cast<unsigned>(*kbit));
+}
+
+constexpr ChannelKind kinds[] = {
+    {"hub", hub_form, "a bus of cgw hub or socketcand; BUS is can0 if not given", open_hub},
+    {"socketcan", socketcan_form, "a CAN interface of the Linux kernel, can0 or vcan0", open_interface},
+    {"slcan", slcan_form, "a serial adapter that speaks slcan, at KBIT kbit/s", open_adapter},
+};
+
+std::string all_forms() {
+    std::string forms;
+    for (const ChannelKind& kind : kinds) {
+        forms += fmt::format("{}{}", forms.empty() ? "" : " or ", kind.form);
+    }
+    return forms;
+}
+
+}  // namespace
+
+std::span<const ChannelKind> channel_kinds() {
+    return kinds;
+}
+
+Opened open_channel(std::string_view text) {
+    const std::size_t colon = text.find(':');
+    for (const ChannelKind& kind : kinds) {
+        if (colon != std::string_view::npos && text.substr(0, colon) == kind.name) {
+            return kind.open(text, text.substr(colon + 1));
+        }
+    }
+    return base::failure(fmt::format("'{}' is no CAN bus; write {}", text, all_forms()));
+}
+
+}  // namespace cgw::media
