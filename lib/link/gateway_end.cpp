@@ -17,8 +17,6 @@ enum Place : std::size_t {
     process_data_place
 };
 
-constexpr std::size_t words_in_first_errors = 4;
-
 }  // namespace
 
 void GatewayEnd::open(const image::Image& image, std::uint8_t boot) {

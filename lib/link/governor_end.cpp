@@ -18,8 +18,6 @@ enum Place : std::size_t {
 // Configuration telegrams in one main cycle: few enough to leave room for the data of a running plant.
 constexpr std::size_t items_at_once = 4;
 
-constexpr std::size_t words_in_first_errors = 4;
-
 }  // namespace
 
 void GovernorEnd::open(const image::Image& image, std::uint8_t boot) {

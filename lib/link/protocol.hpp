@@ -1,6 +1,7 @@
 // What the bytes of the link's telegrams mean, for both ends (docs/governor-link.md).
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 
 #include "canopen/protocol.hpp"
@@ -13,6 +14,9 @@ using canopen::Time;
 inline constexpr Time status_period = 100'000;  // us
 inline constexpr Time silence = 500'000;        // us
 inline constexpr unsigned attempts = 3;         // of an initialisation, before 12412
+
+// Of 2000h:1..6 the first ones travel in one telegram, the last two in another.
+inline constexpr std::size_t words_in_first_errors = 4;
 
 namespace command {  // sequence, GovernorCommand, flags
 inline constexpr std::uint8_t length = 3;
