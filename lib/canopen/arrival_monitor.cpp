@@ -13,13 +13,6 @@ void ArrivalMonitor::disarm() {
     tripped_ = false;
 }
 
-void ArrivalMonitor::expire(Time now) {
-    if (active() && !tripped_ && now - last_ > period_) {
-        tripped_ = true;
-        arrived_since_trip_ = false;
-    }
-}
-
 void ArrivalMonitor::arrived(Time now) {
     if (!active()) {
         return;

@@ -18,7 +18,13 @@ class ArrivalMonitor {
     void disarm();
 
     void arrived(Time now);
-    void expire(Time now);  // time passes
+    // Time passes.
+    void expire(Time now) {
+        if (active() && !tripped_ && now - last_ > period_) {
+            tripped_ = true;
+            arrived_since_trip_ = false;
+        }
+    }
 
     bool active() const { return armed_ && period_ != 0; }
     bool tripped() const { return tripped_; }

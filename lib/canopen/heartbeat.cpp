@@ -33,7 +33,7 @@ bool HeartbeatProducer::send_due(NmtState state, Time now, frame::FramePort& por
         deadline_ = period_ == 0 ? never : now + period_;
         return true;
     }
-    if (now < deadline_) {
+    if (!due(now)) {
         return true;
     }
     refused_ = !port.send(heartbeat_frame(node_id_, state));

@@ -21,6 +21,7 @@ class HeartbeatProducer {
     // Something is due that the port has not taken yet.
     bool pending() const { return boot_up_pending_ || refused_; }
 
+    bool due(Time now) const { return boot_up_pending_ || now >= deadline_; }
     // Sends what is due. False: the port did not take it.
     bool send_due(NmtState state, Time now, frame::FramePort& port);
 

@@ -3,23 +3,30 @@
 #include <algorithm>
 
 namespace cgw::canopen {
+namespace {
+
+bool follows(const MappedValue& before, const MappedValue& next) {
+    return next.dummy == before.dummy && (next.dummy || next.offset == before.offset + before.length);
+}
+
+}  // namespace
+
+std::size_t join_neighbours(std::span<MappedValue> mapping) {
+    std::size_t count = 0;
+    for (const MappedValue& value : mapping) {
+        if (count != 0 && follows(mapping[count - 1], value)) {
+            MappedValue& run = mapping[count - 1];
+            run.length = static_cast<std::uint8_t>(run.length + value.length);
+        } else {
+            mapping[count++] = value;
+        }
+    }
+    return count;
+}
 
 PdoTransmitter::PdoTransmitter(std::span<const PdoRow> rows, std::span<TransmitState> states,
                                std::span<const std::uint8_t> values)
     : rows_(rows), states_(states), values_(values) {}
-
-void PdoTransmitter::request(std::size_t position) {
-    if (rows_[position].length == 0) {
-        return;
-    }
-    TransmitState& state = states_[position];
-    if (state.pending) {
-        ++counters_.superseded;
-        return;
-    }
-    state.pending = true;
-    ++waiting_;
-}
 
 void PdoTransmitter::request_if_changed(std::size_t position) {
     if (rows_[position].length != 0 && build(position).data != states_[position].last_sent) {
@@ -60,40 +67,24 @@ frame::Frame PdoTransmitter::build(std::size_t position) const {
     frame::Frame frame;
     frame.id = row.cob_id;
     frame.length = row.length;
-    std::uint8_t* to = frame.data.data();
-    for (const MappedValue& value : row.mapping) {
-        to = std::copy_n(values_.data() + value.offset, value.length, to);
-    }
+    gather(row, values_, frame.data);
     return frame;
 }
 
 PdoReceiver::PdoReceiver(std::span<const PdoRow> rows, std::span<std::uint8_t> values)
     : rows_(rows), values_(values) {}
 
-std::optional<std::size_t> PdoReceiver::receive(const frame::Frame& frame) {
+bool PdoReceiver::take(const PdoRow& row, const frame::Frame& frame) {
     if (frame.remote || frame.extended) {
-        return std::nullopt;
+        return false;
     }
-    for (std::size_t position = 0; position < rows_.size(); ++position) {
-        const PdoRow& row = rows_[position];
-        if (row.length == 0 || row.cob_id != frame.id) {
-            continue;
-        }
-        if (frame.length < row.length) {
-            ++counters_.too_short;
-            return std::nullopt;
-        }
-        const std::uint8_t* from = frame.data.data();
-        for (const MappedValue& value : row.mapping) {
-            if (!value.dummy) {
-                std::copy_n(from, value.length, values_.data() + value.offset);
-            }
-            from += value.length;
-        }
-        ++counters_.received;
-        return position;
+    if (frame.length < row.length) {
+        ++counters_.too_short;
+        return false;
     }
-    return std::nullopt;
+    scatter(row, frame.data, values_);
+    ++counters_.received;
+    return true;
 }
 
 }  // namespace cgw::canopen

@@ -2,6 +2,7 @@
 // device's business; that nothing is lost between the wish and the wire is this file's.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <optional>
@@ -11,12 +12,17 @@
 
 namespace cgw::canopen {
 
-// A mapped value: where it stands in the value block, or a dummy (0006h) that only takes up room.
+// A mapped value, or several that follow each other in the value block (join_neighbours): where they stand,
+// or a dummy (0006h) that only takes up room.
 struct MappedValue {
     std::uint16_t offset = 0;  // bytes
     std::uint8_t length = 0;   // bytes
     bool dummy = false;
 };
+
+// Makes one of values that follow each other in the value block, and of dummies that follow each other, so
+// that they are copied at once. Returns how many are left, at the front of `mapping`.
+std::size_t join_neighbours(std::span<MappedValue> mapping);
 
 // One row of a PDO table. The mapping's lengths add up to `length`; 0: the PDO is not active.
 struct PdoRow {
@@ -25,9 +31,51 @@ struct PdoRow {
     std::span<const MappedValue> mapping;
 };
 
+using PdoData = std::array<std::uint8_t, 8>;
+
+// A copy of known length is an instruction or two, any other a call.
+inline void copy_run(const std::uint8_t* from, std::size_t length, std::uint8_t* to) {
+    switch (length) {
+        case 2:
+            std::copy_n(from, 2, to);
+            break;
+        case 4:
+            std::copy_n(from, 4, to);
+            break;
+        case 8:
+            std::copy_n(from, 8, to);
+            break;
+        default:
+            std::copy_n(from, length, to);
+            break;
+    }
+}
+
+// From the value block to the bytes of a PDO; dummies and what is not mapped stay as they are in `data`.
+inline void gather(const PdoRow& row, std::span<const std::uint8_t> values, PdoData& data) {
+    std::uint8_t* to = data.data();
+    for (const MappedValue& value : row.mapping) {
+        if (!value.dummy) {
+            copy_run(values.data() + value.offset, value.length, to);
+        }
+        to += value.length;
+    }
+}
+
+// From the bytes of a PDO to the value block.
+inline void scatter(const PdoRow& row, const PdoData& data, std::span<std::uint8_t> values) {
+    const std::uint8_t* from = data.data();
+    for (const MappedValue& value : row.mapping) {
+        if (!value.dummy) {
+            copy_run(from, value.length, values.data() + value.offset);
+        }
+        from += value.length;
+    }
+}
+
 struct TransmitState {
     bool pending = false;
-    std::array<std::uint8_t, 8> last_sent{};
+    PdoData last_sent{};
 };
 
 class PdoTransmitter {
@@ -43,7 +91,15 @@ class PdoTransmitter {
     PdoTransmitter(std::span<const PdoRow> rows, std::span<TransmitState> states,
                    std::span<const std::uint8_t> values);
 
-    void request(std::size_t position);
+    void request(std::size_t position) {
+        TransmitState& state = states_[position];
+        if (state.pending) {
+            ++counters_.superseded;
+        } else if (rows_[position].length != 0) {
+            state.pending = true;
+            ++waiting_;
+        }
+    }
     // Requests when the data differ from what was last really sent.
     void request_if_changed(std::size_t position);
     // Leaving Operational: what waits is not sent any more.
@@ -79,11 +135,21 @@ class PdoReceiver {
 
     // Position of the row whose values were taken from the frame. Nothing when it is no receive PDO of ours,
     // or too short (D28); a longer one gives its first bytes.
-    std::optional<std::size_t> receive(const frame::Frame& frame);
+    std::optional<std::size_t> receive(const frame::Frame& frame) {
+        for (std::size_t position = 0; position < rows_.size(); ++position) {
+            const PdoRow& row = rows_[position];
+            if (row.cob_id == frame.id && row.length != 0) {
+                return take(row, frame) ? std::optional(position) : std::nullopt;
+            }
+        }
+        return std::nullopt;
+    }
 
     const Counters& counters() const { return counters_; }
 
   private:
+    bool take(const PdoRow& row, const frame::Frame& frame);
+
     std::span<const PdoRow> rows_;
     std::span<std::uint8_t> values_;
     Counters counters_;

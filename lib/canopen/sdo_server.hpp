@@ -12,6 +12,27 @@
 
 namespace cgw::canopen {
 
+// A device's say in objects whose entry has a handler number other than 0: what the number means is the
+// device's own. An abort code other than `none` refuses the request, and nothing is stored.
+class ObjectHandler {
+  public:
+    // An upload: `value` holds what is stored, and on return what is answered.
+    virtual object::AbortCode read(const object::ObjectEntry& entry, std::uint32_t& value) = 0;
+    // A download that access and length allow, before it is stored: the device checks the value and acts on
+    // it. Bits beyond the entry's length are 0.
+    virtual object::AbortCode write(const object::ObjectEntry& entry, std::uint32_t value) = 0;
+
+  protected:
+    ~ObjectHandler() = default;
+};
+
+// What a server serves. `values` holds every value that the table names; all outlive the server.
+struct SdoObjects {
+    object::ObjectTable table;
+    std::span<std::uint8_t> values;
+    ObjectHandler* handler = nullptr;  // none: every object is plain memory
+};
+
 class SdoServer {
   public:
     // Answers that may wait for a port that says "not now". A client waits for its answer, so more than one
@@ -25,12 +46,12 @@ class SdoServer {
     };
 
     SdoServer() = default;
-    // `values` must hold every value the table names and outlive the server, as must the table's bytes.
-    SdoServer(std::uint8_t node_id, object::ObjectTable objects, std::span<std::uint8_t> values);
+    SdoServer(std::uint8_t node_id, const SdoObjects& served);
 
-    // A frame with the server's request identifier: its answer waits for send_pending(). 80h cancels the
-    // answers not yet sent.
-    void receive(const frame::Frame& request);
+    // A frame with the server's request identifier. Its answer is offered to `port` when there is one and no
+    // older answer waits, else it waits for send_pending(). 80h cancels the answers not yet sent. False: an
+    // overflow, the request is dropped.
+    bool receive(const frame::Frame& request, frame::FramePort* port = nullptr);
 
     // Offers the waiting answers. False: the port did not take all of them.
     bool send_pending(frame::FramePort& port);
@@ -40,15 +61,8 @@ class SdoServer {
     const Counters& counters() const { return counters_; }
 
   private:
-    void answer(const frame::Frame& request, frame::Frame& reply);
-    frame::Frame upload(sdo::Multiplexer object);
-    frame::Frame download(const frame::Frame& request, sdo::Multiplexer object);
-    frame::Frame refuse(sdo::Multiplexer object, object::AbortCode code);
-
-    std::uint32_t answer_id_ = 0;
-    object::ObjectTable objects_;
-    std::span<std::uint8_t> values_;
-    std::array<frame::Frame, capacity> waiting_{};  // ring
+    SdoObjects served_;
+    std::array<frame::Frame, capacity> waiting_{};  // ring; identifier and length are written once
     std::size_t first_ = 0;
     std::size_t count_ = 0;
     std::size_t last_found_ = 0;  // masters read one object again and again, or all of them in order

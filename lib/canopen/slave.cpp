@@ -9,12 +9,13 @@ namespace cgw::canopen {
 void Slave::configure(const Tables& tables) {
     node_id_ = tables.node_id;
     heartbeat_ = HeartbeatProducer(tables.node_id, tables.heartbeat_period);
-    sdo_ = SdoServer(tables.node_id, tables.objects, tables.values);
+    sdo_ = SdoServer(tables.node_id, {tables.objects, tables.values, tables.handler});
     transmitter_ = PdoTransmitter(tables.transmit, tables.transmit_states, tables.values);
     receiver_ = PdoReceiver(tables.receive, tables.values);
     receive_monitors_ = tables.receive_monitors;
     partner_node_ = tables.partner_node;
     heartbeat_monitor_ = ArrivalMonitor(tables.partner_node == 0 ? 0 : tables.partner_period);
+    next_trip_ = 0;
     initialise();
 }
 
@@ -28,18 +29,6 @@ void Slave::boot_up() {
     heartbeat_.boot_up();
 }
 
-void Slave::request(std::size_t transmit_row) {
-    if (state_ == NmtState::operational) {
-        transmitter_.request(transmit_row);
-    }
-}
-
-void Slave::request_if_changed(std::size_t transmit_row) {
-    if (state_ == NmtState::operational) {
-        transmitter_.request_if_changed(transmit_row);
-    }
-}
-
 Slave::Event Slave::receive(const frame::Frame& frame, Time now) {
     if (state_ == NmtState::initialising) {
         return {};
@@ -48,36 +37,30 @@ Slave::Event Slave::receive(const frame::Frame& frame, Time now) {
         return receive_sdo(frame);
     }
     if (frame.id == cob::nmt) {
-        const std::optional<NmtCommand> command = nmt_command(frame, node_id_);
-        return command ? obey(*command, now) : Event{};
+        return obey(frame, now);
     }
-    if (state_ != NmtState::operational) {
-        return {};
-    }
-    if (frame.id == cob::heartbeat + partner_node_) {
-        return receive_heartbeat(frame, now);
-    }
-    return receive_pdo(frame, now);
+    return state_ == NmtState::operational ? receive_in_operational(frame, now) : Event{};
 }
 
 Slave::Event Slave::receive_sdo(const frame::Frame& frame) {
     if (state_ == NmtState::stopped) {
         return {};
     }
-    const std::uint32_t overflows = sdo_.counters().overflows;
-    sdo_.receive(frame);
-    if (!heartbeat_.pending()) {  // nothing overtakes the boot-up message
-        sdo_.send_pending(*port_);
-    }
-    return {sdo_.counters().overflows == overflows ? Event::Kind::none : Event::Kind::sdo_overflow, 0};
+    // Nothing overtakes the boot-up message.
+    const bool taken = sdo_.receive(frame, heartbeat_.pending() ? nullptr : port_);
+    return {taken ? Event::Kind::none : Event::Kind::sdo_overflow, 0};
 }
 
-Slave::Event Slave::receive_pdo(const frame::Frame& frame, Time now) {
+Slave::Event Slave::receive_in_operational(const frame::Frame& frame, Time now) {
+    if (frame.id == cob::heartbeat + partner_node_) {
+        return receive_heartbeat(frame, now);
+    }
     const std::optional<std::size_t> row = receiver_.receive(frame);
     if (!row) {
         return {};
     }
     receive_monitors_[*row].arrived(now);
+    next_trip_ = 0;
     return {Event::Kind::pdo_received, *row};
 }
 
@@ -86,12 +69,17 @@ Slave::Event Slave::receive_heartbeat(const frame::Frame& frame, Time now) {
         return {};
     }
     heartbeat_monitor_.arrived(now);
+    next_trip_ = 0;
     return {Event::Kind::heartbeat, 0};
 }
 
-Slave::Event Slave::obey(NmtCommand command, Time now) {
+Slave::Event Slave::obey(const frame::Frame& frame, Time now) {
+    const std::optional<NmtCommand> command = nmt_command(frame, node_id_);
+    if (!command) {
+        return {};
+    }
     const NmtState before = state_;
-    switch (command) {
+    switch (*command) {
         case NmtCommand::start:
             enter(NmtState::operational, now);
             break;
@@ -128,15 +116,18 @@ void Slave::watch(bool operational, Time now) {
         operational ? monitor.arm(now) : monitor.disarm();
     }
     operational ? heartbeat_monitor_.arm(now) : heartbeat_monitor_.disarm();
+    next_trip_ = 0;
 }
 
 Time Slave::poll(Time now) {
     if (state_ == NmtState::initialising) {
         return never;
     }
-    const Time monitors = expire_monitors(now);
+    if (now >= next_trip_) {
+        next_trip_ = expire_monitors(now);
+    }
     send_due(now);
-    return std::min(monitors, heartbeat_.deadline());
+    return std::min(next_trip_, heartbeat_.deadline());
 }
 
 // Returns when the next of them will trip.
@@ -150,13 +141,15 @@ Time Slave::expire_monitors(Time now) {
     return next;
 }
 
-bool Slave::pending() const {
-    return heartbeat_.pending() || sdo_.pending() || transmitter_.pending();
-}
-
 // The boot-up message goes before everything else; what the port refuses once, it refuses the next time too.
 void Slave::send_due(Time now) {
-    if (heartbeat_.send_due(state_, now, *port_) && sdo_.send_pending(*port_)) {
+    if (heartbeat_.due(now) && !heartbeat_.send_due(state_, now, *port_)) {
+        return;
+    }
+    if (sdo_.pending() && !sdo_.send_pending(*port_)) {
+        return;
+    }
+    if (transmitter_.pending()) {
         transmitter_.send_pending(*port_);
     }
 }

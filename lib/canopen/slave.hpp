@@ -24,6 +24,7 @@ class Slave {
         Time heartbeat_period = 0;  // 0: off
         object::ObjectTable objects;
         std::span<std::uint8_t> values;
+        ObjectHandler* handler = nullptr;  // of objects with a handler number; none: plain memory
         std::span<const PdoRow> transmit;
         std::span<TransmitState> transmit_states;  // one per transmit row
         std::span<const PdoRow> receive;
@@ -62,15 +63,23 @@ class Slave {
     NmtState state() const { return state_; }
 
     // A request to transmit counts in Operational only.
-    void request(std::size_t transmit_row);
-    void request_if_changed(std::size_t transmit_row);
+    void request(std::size_t transmit_row) {
+        if (state_ == NmtState::operational) {
+            transmitter_.request(transmit_row);
+        }
+    }
+    void request_if_changed(std::size_t transmit_row) {
+        if (state_ == NmtState::operational) {
+            transmitter_.request_if_changed(transmit_row);
+        }
+    }
 
     Event receive(const frame::Frame& frame, Time now);
 
     // Sends whatever is due and whatever the port did not take before. Returns when time alone will make
     // something due; while pending() is true, call again as soon as the port has room.
     Time poll(Time now);
-    bool pending() const;
+    bool pending() const { return heartbeat_.pending() || sdo_.pending() || transmitter_.pending(); }
 
     const SdoServer& sdo() const { return sdo_; }
     const PdoTransmitter& transmitter() const { return transmitter_; }
@@ -80,9 +89,9 @@ class Slave {
 
   private:
     Event receive_sdo(const frame::Frame& frame);
-    Event receive_pdo(const frame::Frame& frame, Time now);
+    Event receive_in_operational(const frame::Frame& frame, Time now);
     Event receive_heartbeat(const frame::Frame& frame, Time now);
-    Event obey(NmtCommand command, Time now);
+    Event obey(const frame::Frame& frame, Time now);
     void enter(NmtState state, Time now);
     void watch(bool operational, Time now);
     Time expire_monitors(Time now);
@@ -98,6 +107,7 @@ class Slave {
     std::span<ArrivalMonitor> receive_monitors_;
     std::uint8_t partner_node_ = 0;
     ArrivalMonitor heartbeat_monitor_;
+    Time next_trip_ = 0;  // when a monitor may trip next; 0: to be worked out
 };
 
 }  // namespace cgw::canopen

@@ -6,6 +6,9 @@
 namespace cgw::device {
 namespace {
 
+using facts::word_bytes;
+using facts::words_per_pdo;
+
 constexpr std::uint16_t engine_state_bits = 0x00FF;          // D22: the low byte
 constexpr std::uint8_t error_register_generic = 0x01;        // D58: any error
 constexpr std::uint8_t error_register_communication = 0x10;  // D58: 2005h is not 0
@@ -57,10 +60,11 @@ void Gateway::store_errors() {
 }
 
 void Gateway::store_analogue(std::size_t position, const PdoWords& words) {
-    std::size_t word = 0;
-    for (const canopen::MappedValue& place : rows_[position].mapping) {
-        wire::store_u16(&values_[place.offset], words[word++]);
+    canopen::PdoData data;
+    for (std::size_t word = 0; word < words_per_pdo; ++word) {
+        wire::store_u16(&data[word * word_bytes], words[word]);
     }
+    canopen::scatter(rows_[position], data, values_);
 }
 
 void Gateway::set(const object::ObjectEntry& entry, std::uint32_t value) {
@@ -68,10 +72,11 @@ void Gateway::set(const object::ObjectEntry& entry, std::uint32_t value) {
 }
 
 void Gateway::forward(std::size_t rpdo_row) {
-    PdoWords words{};
-    std::size_t word = 0;
-    for (const canopen::MappedValue& place : rows_[transmit_pdos + rpdo_row].mapping) {
-        words[word++] = place.dummy ? std::uint16_t{0} : wire::load_u16(&values_[place.offset]);
+    canopen::PdoData data{};
+    canopen::gather(rows_[transmit_pdos + rpdo_row], values_, data);
+    PdoWords words;
+    for (std::size_t word = 0; word < words_per_pdo; ++word) {
+        words[word] = wire::load_u16(&data[word * word_bytes]);
     }
     governor_->process_data(static_cast<std::uint8_t>(rpdo_row + 1), words);
 }

@@ -94,7 +94,7 @@ void Gateway::resolve(std::size_t position, const image::Pdo& pdo) {
     }
     row.cob_id = pdo.cob_id;
     row.length = static_cast<std::uint8_t>(pdo.word_count * word_bytes);
-    row.mapping = {places, pdo.word_count};
+    row.mapping = {places, canopen::join_neighbours({places, pdo.word_count})};
 }
 
 // In a valid image every mapped object exists and is one word long.

@@ -99,6 +99,29 @@ TEST_F(PdoTest, forgets_what_waits_when_cancelled) {
     EXPECT_TRUE(port_.sent.empty());
 }
 
+std::vector<std::array<int, 3>> joined(std::vector<MappedValue> mapping) {
+    mapping.resize(join_neighbours(mapping));
+    std::vector<std::array<int, 3>> result;
+    for (const MappedValue& value : mapping) {
+        result.push_back({value.offset, value.length, value.dummy ? 1 : 0});
+    }
+    return result;
+}
+
+TEST(PdoMapping, joins_values_that_follow_each_other) {
+    using Runs = std::vector<std::array<int, 3>>;
+    EXPECT_EQ(joined({}), Runs());
+    EXPECT_EQ(joined({{4, 2, false}, {6, 2, false}, {8, 1, false}}), (Runs{{4, 5, 0}}));
+    EXPECT_EQ(joined({{4, 2, false}, {8, 2, false}, {6, 2, false}}), (Runs{{4, 2, 0}, {8, 2, 0}, {6, 2, 0}}));
+    EXPECT_EQ(joined({{4, 2, false}, {4, 2, false}}), (Runs{{4, 2, 0}, {4, 2, 0}}));
+}
+
+TEST(PdoMapping, joins_dummies_with_dummies_only) {
+    using Runs = std::vector<std::array<int, 3>>;
+    EXPECT_EQ(joined({{0, 2, true}, {0, 2, true}, {4, 2, false}}), (Runs{{0, 4, 1}, {4, 2, 0}}));
+    EXPECT_EQ(joined({{0, 2, false}, {0, 2, true}, {2, 2, false}}), (Runs{{0, 2, 0}, {0, 2, 1}, {2, 2, 0}}));
+}
+
 class PdoReceiveTest : public testing::Test {
   protected:
     std::array<std::uint8_t, 6> values_{};

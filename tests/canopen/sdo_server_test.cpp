@@ -24,7 +24,7 @@ class SdoServerTest : public testing::Test {
 
     test::Table table_ = test::sample_table();
     RecordingPort port_;
-    SdoServer server_{5, table_.objects(), table_.values};
+    SdoServer server_{5, {table_.objects(), table_.values}};
 };
 
 TEST_F(SdoServerTest, uploads_four_bytes) {

@@ -70,20 +70,19 @@ TEST(ObjectTable, tells_a_missing_sub_index_from_a_missing_object) {
     EXPECT_EQ(table.find(0x2001, 0).found, Found::no_object);
 }
 
-TEST(ObjectTable, finds_the_same_with_any_guess) {
+TEST(ObjectTable, is_searched_to_the_same_place_with_any_guess) {
     const auto bytes = records_of(sample);
     const ObjectTable objects(bytes);
     for (std::size_t guess = 0; guess < objects.size() + 3; ++guess) {
         for (std::size_t position = 0; position < objects.size(); ++position) {
             const ObjectEntry entry = objects.entry(position);
-            const ObjectTable::Lookup lookup = objects.find(entry.index, entry.sub_index, guess);
-            EXPECT_EQ(lookup.found, Found::yes);
-            EXPECT_EQ(lookup.entry, entry);
-            EXPECT_EQ(lookup.position, position);
+            const ObjectTable::Place place = objects.locate(entry.index, entry.sub_index, guess);
+            EXPECT_EQ(place.found, Found::yes);
+            EXPECT_EQ(place.position, position);
         }
-        EXPECT_EQ(objects.find(0x7FFF, 0, guess).found, Found::no_object);
+        EXPECT_EQ(objects.locate(0x7FFF, 0, guess).found, Found::no_object);
     }
-    EXPECT_EQ(ObjectTable().find(0x1000, 0, 0).found, Found::no_object);
+    EXPECT_EQ(ObjectTable().locate(0x1000, 0, 0).found, Found::no_object);
 }
 
 TEST(ObjectTable, of_nothing_finds_nothing) {
