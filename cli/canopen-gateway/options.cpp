@@ -2,20 +2,39 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
+
+#include "media/open_channel.hpp"
 
 namespace cgw::gateway_cli {
 namespace {
 
 constexpr double longest_duration = 86400;  // seconds
 
-bool set_can1(Options& /*options*/, std::string_view value) {
-    return value == "simulated";
+// `inside` is the word for what is inside the program.
+bool set_bus(std::string& bus, std::string_view value, std::string_view inside) {
+    const auto kinds = media::channel_kinds();
+    const std::string_view kind = value.substr(0, value.find(':'));
+    bus = value == inside ? std::string() : std::string(value);
+    return value == inside ||
+           (kind != value && std::ranges::find(kinds, kind, &media::ChannelKind::name) != kinds.end());
 }
-bool set_can2(Options& /*options*/, std::string_view value) {
-    return value == "virtual";
+bool set_can1(Options& options, std::string_view value) {
+    return set_bus(options.can1, value, "simulated");
+}
+bool set_can2(Options& options, std::string_view value) {
+    return set_bus(options.can2, value, "virtual");
+}
+
+bool set_state(Options& options, std::string_view value) {
+    options.state = value;
+    return !value.empty() && value != "-";
+}
+bool set_status(Options& options, std::string_view /*value*/) {
+    return options.status = true;
 }
 
 bool set_log(Options& options, std::string_view value) {
@@ -31,7 +50,7 @@ bool set_duration(Options& options, std::string_view value) {
         return false;
     }
     options.duration_us = static_cast<std::uint64_t>(std::llround(seconds * 1e6));
-    return options.duration_us > 0;
+    return *options.duration_us > 0;
 }
 
 bool set_master(Options& options, std::string_view /*value*/) {
@@ -53,12 +72,16 @@ struct Option {
 };
 
 constexpr std::array table = {
-    Option{"--can1", "MEDIUM", set_can1, "simulated", "governor side: simulated (default)"},
-    Option{"--can2", "MEDIUM", set_can2, "virtual", "CANopen side: virtual (default)"},
-    Option{"--master", "", set_master, "", "run a CANopen master too and show what it sees"},
-    Option{"--log", "FILE", set_log, "a file name", "write all CAN2 frames as a candump -L log"},
+    Option{"--can1", "BUS", set_can1, "simulated or a CAN bus, --help says how it is written",
+           "governor side: simulated (default), or a CAN bus"},
+    Option{"--can2", "BUS", set_can2, "virtual or a CAN bus, --help says how it is written",
+           "CANopen side: virtual (default), or a CAN bus"},
+    Option{"--log", "FILE", set_log, "a file name", "log of all frames: candump -L, or pcap (.pcap, .cap)"},
+    Option{"--state", "FILE", set_state, "a file name", "keep the permanent error memory in that file"},
+    Option{"--status", "", set_status, "", "print all measurements at the end"},
     Option{"--duration", "SECONDS", set_duration, "a number above 0, up to 86400",
-           "simulated time to run (default 10)"},
+           "time to run (simulated: default 10)"},
+    Option{"--master", "", set_master, "", "simulated: run a CANopen master and show what it sees"},
     Option{"--version", "", set_version, "", "print the version"},
     Option{"--help", "", set_help, "", "print this help"},
 };
@@ -70,6 +93,18 @@ const Option* find(std::string_view name) {
         }
     }
     return nullptr;
+}
+
+// Options that do not go together; empty: they do.
+std::string contradiction(const Options& options) {
+    if (options.real_time() && options.master) {
+        return "--master is for simulated time; on a real bus the master is another program";
+    }
+    if (!options.real_time() && (options.status || !options.state.empty())) {
+        return fmt::format("{} is for real time: give --can1 or --can2 a CAN bus",
+                           options.status ? "--status" : "--state");
+    }
+    return {};
 }
 
 }  // namespace
@@ -100,19 +135,28 @@ bool parse_options(std::span<const char* const> arguments, Options& options, std
             return false;
         }
     }
-    return true;
+    error = options.help || options.version ? std::string() : contradiction(options);
+    return error.empty();
 }
 
 std::string help_text() {
     std::string text =
         "usage: canopen-gateway [options]\n\n"
-        "Runs the CANopen gateway with its embedded configuration, in simulated time.\n\n";
+        "Runs the CANopen gateway with its embedded configuration: in real time when a\n"
+        "CAN bus is named, until SIGINT or SIGTERM; else both buses are inside the\n"
+        "program, and time is simulated.\n\n";
     for (const Option& option : table) {
         text += fmt::format("  {:<20} {}\n", fmt::format("{} {}", option.name, option.value), option.text);
     }
+    text += "\na CAN bus is one of\n";
+    for (const media::ChannelKind& kind : media::channel_kinds()) {
+        text += fmt::format("  {:<20} {}\n", kind.form, kind.summary);
+    }
     text +=
+        "\nIn real time SIGUSR1 shows all measurements on standard error.\n"
         "\nexit: 0 fine; 1 the embedded configuration is refused, or the gateway did not\n"
-        "answer the master as it should in that time; 2 usage; 3 cannot write\n";
+        "answer the master as it should in that time; 2 usage; 3 an interface is\n"
+        "missing, or a file cannot be read or written\n";
     return text;
 }
 

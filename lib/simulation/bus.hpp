@@ -48,6 +48,10 @@ class Bus {
     // Runs through everything that happens up to and including `end`.
     void run_until(Time end);
 
+    // When run_until() will have something to do, not before now(); a frame sent since the last run counts as
+    // now.
+    Time next_event() const;
+
     Time now() const { return now_; }
     std::uint64_t frames() const { return frames_; }
     Time busy_time() const { return busy_time_; }  // microseconds with a frame on the bus
@@ -66,7 +70,6 @@ class Bus {
     void poll_all();
     void start_frame();
     void finish_frame();
-    Time next_event() const;
 
     Time bit_time_;  // microseconds
     Time now_ = 0;

@@ -159,7 +159,9 @@ TEST_F(GatewayRun, refuses_an_image_the_gateway_cannot_run) {
 TEST_F(GatewayRun, refuses_a_wrong_command_line) {
     const Outcome outcome = run_with(plant_.image(), {"--can2", "hub"});
     EXPECT_EQ(outcome.code, 2);
-    EXPECT_EQ(outcome.error, "canopen-gateway: --can2 'hub': expected virtual\n");
+    EXPECT_EQ(
+        outcome.error,
+        "canopen-gateway: --can2 'hub': expected virtual or a CAN bus, --help says how it is written\n");
     EXPECT_TRUE(outcome.out.empty());
 }
 
