@@ -109,7 +109,8 @@ bool demonstrate(PlantRun& plant_run) {
     if (!start(plant_run)) {
         return false;
     }
-    set_healthy_outputs(plant_run);
+    plant_run.plc().set_healthy_outputs();
+    plant_run.plc().send_outputs();
     if (plant_run.run_for(3 * second)) {
         show_transmit_pdos(plant_run);
     }

@@ -1,5 +1,4 @@
 #include "cli/canopen-gateway/effects.hpp"
-#include "facts/gateway.hpp"
 
 #include <fmt/format.h>
 
@@ -8,7 +7,8 @@
 
 #include "base/canopen_text.hpp"
 #include "cli/canopen-gateway/display.hpp"
-#include "simulation/readings.hpp"
+#include "facts/gateway.hpp"
+#include "simulation/plc.hpp"
 #include "simulation/scaling.hpp"
 #include "wire/little_endian.hpp"
 
@@ -22,25 +22,14 @@ constexpr int visible_change = 650;  // of a word's 65536 steps
 constexpr std::size_t most_changes_shown = 4;
 constexpr std::size_t name_width = 26;
 
-constexpr std::uint16_t load_enable_switch = 835;
 // What to change, the most telling first.
 constexpr std::uint16_t telling_sensors[] = {900, 901, 917, 906};
 constexpr std::uint16_t telling_switches[] = {827, 835, 811};
 
-using Words = std::map<std::uint16_t, std::uint16_t>;  // parameter to word, of all transmit PDOs received
+using Words = std::map<std::uint16_t, std::uint16_t>;  // parameter to word
 
 Words words_of(PlantRun& plant_run) {
-    Words words;
-    for (std::size_t position = 0; position < transmit_pdos; ++position) {
-        const image::Pdo pdo = plant_run.image().pdo(position);
-        const auto received = pdo.active ? plant_run.node().received(pdo.cob_id) : std::nullopt;
-        for (std::size_t word = 0; received && word < pdo.word_count; ++word) {
-            if (pdo.mapping[word].parameter != 0) {
-                words[pdo.mapping[word].parameter] = wire::load_u16(&received->last.data[2 * word]);
-            }
-        }
-    }
-    return words;
+    return simulation::received_words(plant_run.node(), plant_run.image());
 }
 
 // Words that carry no parameter are TPDO1..3's (D20, D21).
@@ -85,13 +74,12 @@ void show_changes(PlantRun& plant_run, const Words& before) {
     }
 }
 
-bool find_sensor(const image::Image& image, image::Sensor& sensor) {
+// The most telling one that there is, else the first.
+bool choose_sensor(const image::Image& image, image::Sensor& sensor) {
     for (const std::uint16_t number : telling_sensors) {
-        for (std::size_t i = 0; i < image.sensor_count(); ++i) {
-            sensor = image.sensor(i);
-            if (sensor.number == number) {
-                return true;
-            }
+        if (const auto found = simulation::find_sensor(image, number)) {
+            sensor = *found;
+            return true;
         }
     }
     if (image.sensor_count() != 0) {
@@ -100,13 +88,11 @@ bool find_sensor(const image::Image& image, image::Sensor& sensor) {
     return image.sensor_count() != 0;
 }
 
-bool find_switch(const image::Image& image, image::SwitchFunction& function) {
+bool choose_switch(const image::Image& image, image::SwitchFunction& function) {
     for (const std::uint16_t number : telling_switches) {
-        for (std::size_t i = 0; i < image.switch_count(); ++i) {
-            function = image.switch_function(i);
-            if (function.number == number) {
-                return true;
-            }
+        if (const auto found = simulation::find_switch(image, number)) {
+            function = *found;
+            return true;
         }
     }
     if (image.switch_count() != 0) {
@@ -116,14 +102,14 @@ bool find_switch(const image::Image& image, image::SwitchFunction& function) {
 }
 
 std::uint16_t& output_of(PlantRun& plant_run, const image::Sensor& sensor) {
-    return plant_run
+    return plant_run.plc()
         .outputs()[facts::rpdo_of_channel(sensor.channel) - 1U][facts::word_of_channel(sensor.channel) - 1U];
 }
 
 // Sends the changed outputs, lets the plant follow, and shows what followed.
 void follow(PlantRun& plant_run) {
     const Words before = words_of(plant_run);
-    plant_run.send_outputs();
+    plant_run.plc().send_outputs();
     plant_run.run_for(settling);
     show_changes(plant_run, before);
 }
@@ -145,7 +131,7 @@ void change_sensor(PlantRun& plant_run, const image::Sensor& sensor) {
 }
 
 void toggle_switch(PlantRun& plant_run, const image::SwitchFunction& function) {
-    std::uint16_t& word = plant_run.outputs()[0][0];
+    std::uint16_t& word = plant_run.plc().outputs()[0][0];
     const auto mask = static_cast<std::uint16_t>(1U << (function.bit - 1U));
     word = static_cast<std::uint16_t>(word ^ mask);
     const bool active = ((word & mask) != 0) != function.low_active;
@@ -181,31 +167,11 @@ void show_transmit_pdos(PlantRun& plant_run) {
     }
 }
 
-void set_healthy_outputs(PlantRun& plant_run) {
-    const image::Image& image = plant_run.image();
-    for (std::size_t i = 0; i < image.switch_count(); ++i) {
-        const image::SwitchFunction function = image.switch_function(i);
-        const bool on = function.number == load_enable_switch;
-        if (on != function.low_active) {
-            std::uint16_t& word = plant_run.outputs()[0][0];
-            word = static_cast<std::uint16_t>(word | 1U << (function.bit - 1U));
-        }
-    }
-    simulation::EngineState rated;
-    rated.load = 60;
-    rated.power = 60;
-    for (std::size_t i = 0; i < image.sensor_count(); ++i) {
-        const image::Sensor sensor = image.sensor(i);
-        output_of(plant_run, sensor) = simulation::sensor_word(image, sensor.number, rated, 0);
-    }
-    plant_run.send_outputs();
-}
-
 void show_effects(PlantRun& plant_run) {
     image::Sensor sensor;
     image::SwitchFunction function;
-    const bool has_sensor = find_sensor(plant_run.image(), sensor);
-    const bool has_switch = find_switch(plant_run.image(), function);
+    const bool has_sensor = choose_sensor(plant_run.image(), sensor);
+    const bool has_switch = choose_switch(plant_run.image(), function);
     if (!has_sensor && !has_switch && !plant_run.over()) {
         plant_run.say("no receive PDO is active in this configuration");
     }

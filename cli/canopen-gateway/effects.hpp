@@ -7,9 +7,6 @@ namespace cgw::gateway_cli {
 
 void show_transmit_pdos(PlantRun& plant_run);
 
-// Sends RPDOs that leave the plant as it is: sensors as measured, load enabled, every other switch off.
-void set_healthy_outputs(PlantRun& plant_run);
-
 // Changes a sensor and a switch, where the configuration has them, and shows which transmit words follow.
 void show_effects(PlantRun& plant_run);
 

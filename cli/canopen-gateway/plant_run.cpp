@@ -4,22 +4,13 @@
 
 #include <algorithm>
 
-#include "canopen/nmt.hpp"
 #include "cli/canopen-gateway/display.hpp"
-#include "facts/gateway.hpp"
-#include "wire/little_endian.hpp"
 
 namespace cgw::gateway_cli {
 namespace {
 
 constexpr Time sdo_timeout = 500'000;
-constexpr Time longest_period = 50'000;  // of what the master sends by itself
 constexpr Time longest_step = 1'000;
-
-// Twice in the time within which the gateway expects it.
-Time period_for(Time monitoring) {
-    return monitoring == 0 ? longest_period : std::min(longest_period, monitoring / 2);
-}
 
 }  // namespace
 
@@ -28,15 +19,11 @@ PlantRun::PlantRun(const image::Image& image, Time duration, std::ostream& out)
       out_(&out),
       end_(duration),
       plant_(image),
-      node_(plant_.can2(), image.can2().own_node, sdo_timeout) {
+      node_(plant_.can2(), image.can2().own_node, sdo_timeout),
+      plc_(plant_.can2(), node_, image) {
     plant_.can2().observe([this](const frame::Frame& frame, Time now) { log_.record(frame, now); });
-    for (std::size_t position = 0; position < facts::tpdo_count; ++position) {
-        const image::Pdo pdo = image.pdo(position);
-        if (pdo.active) {
-            master().subscribe(pdo.cob_id);
-        }
-    }
-    send_heartbeat();
+    simulation::subscribe_transmit_pdos(node_, image);
+    plc_.send_heartbeat();
 }
 
 bool PlantRun::run_for(Time time) {
@@ -84,31 +71,6 @@ std::optional<PlantRun::Transfer> PlantRun::finish_transfer() {
         return std::nullopt;
     }
     return Transfer{static_cast<std::uint32_t>(sdo.abort_code()), sdo.value(), sdo.length()};
-}
-
-void PlantRun::send_outputs() {
-    for (std::size_t rpdo = 0; rpdo < outputs_.size(); ++rpdo) {
-        const image::Pdo pdo = image_->pdo(facts::tpdo_count + rpdo);
-        if (!pdo.active) {
-            continue;
-        }
-        frame::Frame frame;
-        frame.id = pdo.cob_id;
-        frame.length = static_cast<std::uint8_t>(facts::word_bytes * pdo.word_count);
-        for (std::size_t word = 0; word < pdo.word_count; ++word) {
-            wire::store_u16(&frame.data[facts::word_bytes * word], outputs_[rpdo][word]);
-        }
-        node_.produce(frame, period_for(pdo.effective_us));
-    }
-}
-
-// In the name of the partner whose heartbeat the gateway watches.
-void PlantRun::send_heartbeat() {
-    const image::Heartbeat heartbeat = image_->heartbeat();
-    if (heartbeat.consumer_us != 0) {
-        node_.produce(canopen::heartbeat_frame(heartbeat.consumer_node, canopen::NmtState::operational),
-                      period_for(heartbeat.consumer_us));
-    }
 }
 
 }  // namespace cgw::gateway_cli

@@ -2,7 +2,6 @@
 // lines.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -14,6 +13,7 @@
 #include "media/candump.hpp"
 #include "simulation/master_node.hpp"
 #include "simulation/plant.hpp"
+#include "simulation/plc.hpp"
 
 namespace cgw::gateway_cli {
 
@@ -50,21 +50,18 @@ class PlantRun {
     std::optional<Transfer> download(std::uint16_t index, std::uint8_t sub_index, std::uint32_t value,
                                      std::uint8_t length);
 
-    // The words the master sends in RPDO1..4, often enough for their monitoring, as a PLC would.
-    std::array<device::PdoWords, facts::rpdo_count>& outputs() { return outputs_; }
-    void send_outputs();
+    simulation::Plc& plc() { return plc_; }
 
   private:
     std::optional<Transfer> finish_transfer();
-    void send_heartbeat();
 
     const image::Image* image_;
     std::ostream* out_;
     Time end_;
     simulation::Plant plant_;
     simulation::MasterNode node_;
+    simulation::Plc plc_;
     media::CandumpLog log_{"can0"};
-    std::array<device::PdoWords, facts::rpdo_count> outputs_{};
 };
 
 }  // namespace cgw::gateway_cli

@@ -1,8 +1,8 @@
 #include <fmt/format.h>
 
+#include "base/abort_codes.hpp"
 #include "catalogue/errors.hpp"
 #include "catalogue/objects.hpp"
-#include "explain/abort_codes.hpp"
 #include "explain/lists.hpp"
 #include "explain/wording.hpp"
 
@@ -49,7 +49,7 @@ void append_errors(Table& table, const Catalogue& catalogue, Device device, Prog
 }
 
 void append_abort_codes(Table& table) {
-    for (const AbortCodeRow& row : abort_codes()) {
+    for (const base::AbortCodeRow& row : base::abort_codes()) {
         table.rows.push_back({
             "SDO abort codes",
             row.gateway.empty() ? "" : "gateway",

@@ -5,9 +5,9 @@
 #include <optional>
 #include <vector>
 
+#include "base/abort_codes.hpp"
 #include "catalogue/errors.hpp"
 #include "diagnostic/rules.hpp"
-#include "explain/abort_codes.hpp"
 #include "explain/answer.hpp"
 #include "explain/query.hpp"
 #include "parameter/catalogue.hpp"
@@ -23,7 +23,7 @@ std::vector<Entry> row_entries(const std::vector<const parameter::Row*>& rows,
 Entry error_entry(const catalogue::ErrorDescription& error, const parameter::Catalogue& catalogue);
 
 Entry rule_entry(const diagnostic::Rule& rule);
-Entry abort_code_entry(const AbortCodeRow& row);
+Entry abort_code_entry(const base::AbortCodeRow& row);
 
 // The object or its entry; nullopt when the Gateway has none.
 std::optional<Entry> object_entry(const ObjectName& name, const parameter::Catalogue& catalogue);

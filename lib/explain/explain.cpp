@@ -262,7 +262,7 @@ Answer explain_object(const ObjectName& name, const Catalogue& catalogue) {
 }
 
 Answer explain_abort_code(std::uint32_t code) {
-    const AbortCodeRow* row = find_abort_code(code);
+    const base::AbortCodeRow* row = base::find_abort_code(code);
     return row != nullptr ? explained({abort_code_entry(*row)})
                           : refused(fmt::format("0x{:08X} is no SDO abort code of CiA 301", code));
 }

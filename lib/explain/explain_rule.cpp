@@ -34,7 +34,7 @@ Entry rule_entry(const diagnostic::Rule& rule) {
     return entry;
 }
 
-Entry abort_code_entry(const AbortCodeRow& row) {
+Entry abort_code_entry(const base::AbortCodeRow& row) {
     Entry entry{"abort code", fmt::format("SDO abort code 0x{:08X}", row.code), {}};
     entry.add("meaning", row.meaning);
     entry.add("gateway",

@@ -226,7 +226,7 @@ std::string abort_section() {
         "## SDO abort codes\n\n"
         "Those that the gateway sends, and what to do then.\n\n| code | meaning | sent for | what to do |\n"
         "| --- | --- | --- | --- |\n";
-    for (const AbortCodeRow& row : abort_codes()) {
+    for (const base::AbortCodeRow& row : base::abort_codes()) {
         if (!row.gateway.empty()) {
             section +=
                 fmt::format("| 0x{:08X} | {} | {} | {} |\n", row.code, row.meaning, row.gateway, row.action);

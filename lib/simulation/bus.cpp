@@ -16,7 +16,7 @@ std::uint64_t priority(const frame::Frame& frame) {
 }  // namespace
 
 bool Bus::Node::send(const frame::Frame& frame) {
-    if (queue.size() >= queue_capacity) {
+    if (!on_line() || queue.size() >= queue_capacity) {
         return false;
     }
     queue.push_back(frame);
@@ -26,12 +26,20 @@ bool Bus::Node::send(const frame::Frame& frame) {
 Bus::Bus(unsigned bit_rate_kbit) : bit_time_(1000 / bit_rate_kbit) {}
 
 frame::FramePort& Bus::attach(Participant& participant, std::size_t queue_capacity) {
-    nodes_.push_back(std::make_unique<Node>(participant, queue_capacity));
+    nodes_.push_back(std::make_unique<Node>(*this, participant, queue_capacity));
     return *nodes_.back();
 }
 
 void Bus::attach_clock(Participant& participant) {
     attach(participant, 0);
+}
+
+void Bus::connect(const Participant& participant, bool connected) {
+    for (const std::unique_ptr<Node>& node : nodes_) {
+        if (node->participant == &participant) {
+            node->connected = connected;
+        }
+    }
 }
 
 void Bus::run_until(Time end) {
@@ -74,7 +82,7 @@ void Bus::poll_all() {
 // Arbitration: of all the frames offered, the lowest identifier; of equal ones, the node attached first.
 void Bus::start_frame() {
     for (const std::unique_ptr<Node>& node : nodes_) {
-        if (node->queue.empty()) {
+        if (node->queue.empty() || !node->on_line()) {
             continue;
         }
         if (sender_ == nullptr || priority(node->queue.front()) < priority(sender_->queue.front())) {
@@ -93,12 +101,15 @@ void Bus::start_frame() {
 void Bus::finish_frame() {
     Node* const sender = sender_;
     sender_ = nullptr;
+    if (!sender->on_line()) {
+        return;
+    }
     ++frames_;
     for (const Observer& observer : observers_) {
         observer(on_wire_, now_);
     }
     for (const std::unique_ptr<Node>& node : nodes_) {
-        if (node.get() != sender) {
+        if (node.get() != sender && node->on_line()) {
             node->participant->receive(on_wire_, now_);
         }
     }
@@ -107,7 +118,7 @@ void Bus::finish_frame() {
 Time Bus::next_event() const {
     Time next = sender_ == nullptr ? canopen::never : frame_end_;
     for (const std::unique_ptr<Node>& node : nodes_) {
-        const bool waits = sender_ == nullptr && !node->queue.empty();
+        const bool waits = connected_ && sender_ == nullptr && !node->queue.empty();
         next = std::min(next, waits ? now_ : node->deadline);
     }
     return next;

@@ -29,6 +29,10 @@ class Participant {
 
 class Bus {
   public:
+    Bus(const Bus&) = delete;
+    Bus& operator=(const Bus&) = delete;
+    ~Bus() = default;
+
     // Several buses at the same time; a participant may have a transceiver on each.
     static void run_until(std::span<Bus* const> buses, Time end);
 
@@ -42,6 +46,12 @@ class Bus {
     frame::FramePort& attach(Participant& participant, std::size_t queue_capacity = 16);
     // Something that only needs the clock.
     void attach_clock(Participant& participant);
+    // Cuts or mends the whole bus, or one participant's cable. Who is cut off is told "not now"; its waiting
+    // frames stay, and a frame that is on the wire is lost for who is not connected when it is over.
+    void connect(bool connected) { connected_ = connected; }
+    void connect(const Participant& participant, bool connected);
+    bool connected() const { return connected_; }
+
     // Every frame, when it is over; observers are called in the order they came.
     void observe(Observer observer) { observers_.push_back(std::move(observer)); }
 
@@ -58,11 +68,16 @@ class Bus {
 
   private:
     struct Node final : frame::FramePort {
-        Node(Participant& who, std::size_t capacity) : participant(&who), queue_capacity(capacity) {}
+        Node(const Bus& on, Participant& who, std::size_t capacity)
+            : bus(&on), participant(&who), queue_capacity(capacity) {}
         bool send(const frame::Frame& frame) override;
 
+        bool on_line() const { return connected && bus->connected_; }
+
+        const Bus* bus;
         Participant* participant;
         std::size_t queue_capacity;
+        bool connected = true;
         std::deque<frame::Frame> queue;
         Time deadline = 0;
     };
@@ -72,6 +87,7 @@ class Bus {
     void finish_frame();
 
     Time bit_time_;  // microseconds
+    bool connected_ = true;
     Time now_ = 0;
     std::vector<std::unique_ptr<Node>> nodes_;
     std::vector<Observer> observers_;

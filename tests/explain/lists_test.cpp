@@ -6,10 +6,10 @@
 #include <algorithm>
 #include <set>
 
+#include "base/abort_codes.hpp"
 #include "catalogue/catalogue.hpp"
 #include "catalogue/errors.hpp"
 #include "diagnostic/rules.hpp"
-#include "explain/abort_codes.hpp"
 #include "object/vocabulary.hpp"
 
 namespace {
@@ -119,13 +119,13 @@ TEST_F(ExplainLists, codes_are_errors_of_both_devices_and_abort_codes) {
     for (const cgw::catalogue::ErrorDescription& error : cgw::catalogue::shipped_errors()) {
         errors += (error.governor ? 1U : 0U) + (error.gateway ? 1U : 0U);
     }
-    EXPECT_EQ(table.rows.size(), errors + cgw::explain::abort_codes().size());
+    EXPECT_EQ(table.rows.size(), errors + cgw::base::abort_codes().size());
 }
 
 TEST(ExplainAbortCodes, those_the_gateway_sends_say_when_and_what_to_do) {  // GWM 5.2, D51
     using cgw::object::AbortCode;
     std::set<std::uint32_t> sent;
-    for (const cgw::explain::AbortCodeRow& row : cgw::explain::abort_codes()) {
+    for (const cgw::base::AbortCodeRow& row : cgw::base::abort_codes()) {
         EXPECT_FALSE(row.meaning.empty());
         EXPECT_EQ(row.gateway.empty(), row.action.empty()) << row.code;
         if (!row.gateway.empty()) {
@@ -140,8 +140,8 @@ TEST(ExplainAbortCodes, those_the_gateway_sends_say_when_and_what_to_do) {  // G
 }
 
 TEST(ExplainAbortCodes, are_found_by_code) {
-    EXPECT_EQ(cgw::explain::find_abort_code(0x06090011)->code, 0x06090011U);
-    EXPECT_EQ(cgw::explain::find_abort_code(0x06090012), nullptr);
+    EXPECT_EQ(cgw::base::find_abort_code(0x06090011)->code, 0x06090011U);
+    EXPECT_EQ(cgw::base::find_abort_code(0x06090012), nullptr);
 }
 
 }  // namespace

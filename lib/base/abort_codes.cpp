@@ -1,11 +1,13 @@
-#include "explain/abort_codes.hpp"
+#include "base/abort_codes.hpp"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 
 #include "object/vocabulary.hpp"
 
-namespace cgw::explain {
+namespace cgw::base {
 
 namespace {
 
@@ -17,25 +19,30 @@ constexpr std::uint32_t number(AbortCode code) {
 
 constexpr std::array table{
     AbortCodeRow{0x05030000, "the toggle bit has not alternated", "", ""},
-    AbortCodeRow{number(AbortCode::timed_out), "the other side did not answer in time", "", ""},
+    AbortCodeRow{number(AbortCode::timed_out), "the other side did not answer in time", "", "",
+                 "no answer in time"},
     AbortCodeRow{number(AbortCode::command_unknown), "the command specifier is not valid or not known",
                  "any request but expedited upload and download: it has no segmented and no block transfer",
-                 "let the master use expedited transfer; no object of the gateway is longer than 4 bytes"},
+                 "let the master use expedited transfer; no object of the gateway is longer than 4 bytes",
+                 "command not valid or unknown"},
     AbortCodeRow{0x05040002, "the block size is not valid", "", ""},
     AbortCodeRow{0x05040003, "the sequence number is not valid", "", ""},
     AbortCodeRow{0x05040004, "the check sum of the block is wrong", "", ""},
     AbortCodeRow{0x05040005, "out of memory", "", ""},
-    AbortCodeRow{number(AbortCode::unsupported_access), "this access to the object is not supported", "", ""},
-    AbortCodeRow{number(AbortCode::write_only), "a write-only object was read", "", ""},
+    AbortCodeRow{number(AbortCode::unsupported_access), "this access to the object is not supported", "", "",
+                 "unsupported access"},
+    AbortCodeRow{number(AbortCode::write_only), "a write-only object was read", "", "", "write-only object"},
     AbortCodeRow{
         number(AbortCode::read_only), "a read-only object was written",
         "every write to an object that exists, with the right length: no object of the gateway can be "
         "written by SDO, 2003h and 2004h included",
         "set the parameter behind the object with DcDesk 2000, then save and reset both devices; write "
-        "2003h and 2004h by RPDO"},
+        "2003h and 2004h by RPDO",
+        "read-only object"},
     AbortCodeRow{number(AbortCode::object_missing), "there is no object of this index",
                  "the index is none of its object dictionary",
-                 "compare the EDS with the device: was it written from the configuration that runs?"},
+                 "compare the EDS with the device: was it written from the configuration that runs?",
+                 "object does not exist"},
     AbortCodeRow{0x06040041, "the object cannot be mapped into a PDO", "", ""},
     AbortCodeRow{0x06040042, "number and length of the mapped objects exceed the PDO", "", ""},
     AbortCodeRow{0x06040043, "parameters do not fit together", "", ""},
@@ -45,16 +52,16 @@ constexpr std::array table{
     AbortCodeRow{
         number(AbortCode::length_too_high), "the data are longer than the object",
         "a write that states more bytes than the object has; it would be refused anyway (0x06010002)",
-        "do not write: the gateway is configured with DcDesk 2000"},
+        "do not write: the gateway is configured with DcDesk 2000", "length too high"},
     AbortCodeRow{
         number(AbortCode::length_too_low), "the data are shorter than the object",
         "a write that states fewer bytes than the object has; it would be refused anyway (0x06010002)",
-        "do not write: the gateway is configured with DcDesk 2000"},
+        "do not write: the gateway is configured with DcDesk 2000", "length too low"},
     AbortCodeRow{
         number(AbortCode::sub_index_missing), "the object has no entry of this sub-index",
         "the entry does not exist in this configuration, such as 2000h:7 without TPDO3 or an entry of "
         "2001h..2004h beyond sub-index 0's count",
-        "read sub-index 0 first; compare the EDS with the device"},
+        "read sub-index 0 first; compare the EDS with the device", "sub-index does not exist"},
     AbortCodeRow{0x06090030, "the value is not valid", "", ""},
     AbortCodeRow{0x06090031, "the value is too great", "", ""},
     AbortCodeRow{0x06090032, "the value is too small", "", ""},
@@ -84,4 +91,12 @@ const AbortCodeRow* find_abort_code(std::uint32_t code) {
     return found != table.end() ? found : nullptr;
 }
 
-}  // namespace cgw::explain
+std::string abort_text(std::uint32_t code) {
+    const AbortCodeRow* row = find_abort_code(code);
+    if (row == nullptr) {
+        return fmt::format("abort 0x{:08X}", code);
+    }
+    return fmt::format("abort 0x{:08X}, {}", code, row->brief.empty() ? row->meaning : row->brief);
+}
+
+}  // namespace cgw::base

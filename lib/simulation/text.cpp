@@ -1,35 +1,14 @@
-#include "cli/canopen-gateway/display.hpp"
+#include "simulation/text.hpp"
 
 #include <fmt/format.h>
 
 #include <cmath>
 
 #include "base/canopen_text.hpp"
-#include "object/vocabulary.hpp"
 #include "simulation/scaling.hpp"
 
-namespace cgw::gateway_cli {
+namespace cgw::simulation {
 namespace {
-
-using object::AbortCode;
-
-struct AbortText {
-    AbortCode code;
-    std::string_view text;
-};
-
-constexpr AbortText abort_texts[] = {
-    {AbortCode::timed_out, "no answer in time"},
-    {AbortCode::command_unknown, "command not valid or unknown"},
-    {AbortCode::unsupported_access, "unsupported access"},
-    {AbortCode::write_only, "write-only object"},
-    {AbortCode::read_only, "read-only object"},
-    {AbortCode::object_missing, "object does not exist"},
-    {AbortCode::length_too_high, "length too high"},
-    {AbortCode::length_too_low, "length too low"},
-    {AbortCode::sub_index_missing, "sub-index does not exist"},
-    {AbortCode::general, "general error"},
-};
 
 bool continues(char byte) {
     return (static_cast<unsigned char>(byte) & 0xC0U) == 0x80U;
@@ -59,15 +38,6 @@ std::string_view to_text(canopen::NmtState state) {
     return "unknown";
 }
 
-std::string abort_text(std::uint32_t code) {
-    for (const AbortText& row : abort_texts) {
-        if (static_cast<std::uint32_t>(row.code) == code) {
-            return fmt::format("abort 0x{:08X}, {}", code, row.text);
-        }
-    }
-    return fmt::format("abort 0x{:08X}", code);
-}
-
 std::string clipped(std::string_view text, std::size_t width) {
     std::size_t columns = 0;
     std::size_t cut = 0;  // where the text ends if "..." must follow
@@ -95,11 +65,10 @@ std::string parameter_text(const image::Image& image, std::uint16_t number) {
 }
 
 std::string value_text(const image::Image& image, std::uint16_t number, std::uint16_t word) {
-    if (!simulation::has_scaling(image, number)) {
-        return fmt::format("{:.1f} % of range",
-                           simulation::scale_of(image, number, 0, 100).to_engineering(word));
+    if (!has_scaling(image, number)) {
+        return fmt::format("{:.1f} % of range", scale_of(image, number, 0, 100).to_engineering(word));
     }
-    const simulation::Scale scale = simulation::scale_of(image, number, 0, 100);
+    const Scale scale = scale_of(image, number, 0, 100);
     const int digits = decimals(std::abs(scale.external_maximum - scale.external_minimum));
     std::string text = fmt::format("{:.{}f}", scale.to_engineering(word), digits);
     image::Label label;
@@ -113,4 +82,4 @@ std::string pdo_text(const image::Pdo& pdo) {
     return base::pdo_name(!pdo.receive, pdo.number);
 }
 
-}  // namespace cgw::gateway_cli
+}  // namespace cgw::simulation
