@@ -45,8 +45,14 @@ bool HeartbeatProducer::send_due(NmtState state, Time now, frame::FramePort& por
 }
 
 // The rhythm is kept: a heartbeat sent late does not shift the following ones, missed ones are not made up.
+// After more than an hour without a single one a new rhythm begins: 32 bits are what a small controller
+// divides.
 void HeartbeatProducer::advance(Time now) {
-    deadline_ += ((now - deadline_) / period_ + 1) * period_;
+    const Time late = now - deadline_;
+    const auto short_late = static_cast<std::uint32_t>(late);
+    const auto short_period = static_cast<std::uint32_t>(period_);
+    deadline_ =
+        now + (late == short_late && period_ == short_period ? period_ - short_late % short_period : period_);
 }
 
 }  // namespace cgw::canopen

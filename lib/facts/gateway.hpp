@@ -84,7 +84,8 @@ constexpr int last_channel_of_rpdo(int rpdo) {
 inline constexpr std::array<std::uint16_t, 4> bit_rates_kbit{125, 250, 500, 1000};
 inline constexpr std::uint8_t maximum_hzm_node = 31;  // D4
 
-// Times become whole main cycles: floor, at least one, 0 is off (D8).
+// Times become whole main cycles: floor, at least one, 0 is off (D8). In 32 bits, as a small controller
+// divides; what does not fit, over 71 minutes, is more cycles than anything takes.
 inline constexpr std::uint32_t gateway_main_cycle_us = 16'000;         // GWM 7.2.3
 inline constexpr std::uint32_t usual_governor_main_cycle_us = 15'625;  // where nothing else is said
 inline constexpr std::uint32_t maximum_governor_cycles = 255;
@@ -93,8 +94,11 @@ constexpr std::uint32_t whole_cycles(std::uint32_t asked_ms, std::uint32_t main_
     if (asked_ms == 0 || main_cycle_us == 0) {
         return 0;
     }
-    const std::uint64_t whole = std::uint64_t{asked_ms} * 1000 / main_cycle_us;
-    return whole == 0 ? 1 : static_cast<std::uint32_t>(whole < ~std::uint32_t{0} ? whole : ~std::uint32_t{0});
+    if (asked_ms > ~std::uint32_t{0} / 1000) {
+        return ~std::uint32_t{0};
+    }
+    const std::uint32_t whole = asked_ms * 1000 / main_cycle_us;
+    return whole == 0 ? 1 : whole;
 }
 
 }  // namespace cgw::facts

@@ -1,6 +1,4 @@
 // Labels: texts that are safe to show, numbers that are numbers.
-#include <bit>
-
 #include "image/bytes.hpp"
 #include "image/verify.hpp"
 
@@ -58,8 +56,15 @@ bool text_fits(const Records& strings, std::uint32_t offset, std::uint8_t length
     return true;
 }
 
+// Numbers are looked at as the bits of a double, since firmware has better things to do than to calculate
+// with them.
 bool is_finite(std::uint64_t bits) {
     return ((bits >> 52) & 0x7FFU) != 0x7FFU;
+}
+
+bool same_number(std::uint64_t a, std::uint64_t b) {
+    const bool both_zero = ((a | b) << 1) == 0;  // of either sign
+    return a == b || both_zero;
 }
 
 bool scaling_fits(const Image& image, const std::uint8_t* record) {
@@ -69,8 +74,7 @@ bool scaling_fits(const Image& image, const std::uint8_t* record) {
         return minimum == 0 && maximum == 0;
     }
     Signal signal;
-    return is_finite(minimum) && is_finite(maximum) &&
-           std::bit_cast<double>(minimum) != std::bit_cast<double>(maximum) &&
+    return is_finite(minimum) && is_finite(maximum) && !same_number(minimum, maximum) &&
            image.find_signal(wire::load_u16(record + label::number), signal);
 }
 

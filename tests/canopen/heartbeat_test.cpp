@@ -87,5 +87,18 @@ TEST(Heartbeat, does_not_make_up_for_missed_ones) {
     EXPECT_EQ(producer.deadline(), 6000U);
 }
 
+TEST(Heartbeat, keeps_its_rhythm_past_32_bits_and_begins_a_new_one_after_hours_of_silence) {
+    constexpr Time before = (Time{1} << 32) - 500;
+    RecordingPort port;
+    HeartbeatProducer producer(3, 1000);
+    producer.boot_up();
+    producer.send_due(NmtState::operational, before, port);
+    producer.send_due(NmtState::operational, before + 3100, port);
+    EXPECT_EQ(producer.deadline(), before + 4000);
+    constexpr Time later = before + (Time{3} << 32) + 70;
+    EXPECT_TRUE(producer.send_due(NmtState::operational, later, port));
+    EXPECT_EQ(producer.deadline(), later + 1000);
+}
+
 }  // namespace
 }  // namespace cgw::canopen
