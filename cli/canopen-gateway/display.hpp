@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/abort_codes.hpp"
+#include "device/governor_link.hpp"
 #include "simulation/text.hpp"
 
 namespace cgw::gateway_cli {

@@ -37,16 +37,18 @@ using PdoData = std::array<std::uint8_t, 8>;
 inline void copy_run(const std::uint8_t* from, std::size_t length, std::uint8_t* to) {
     switch (length) {
         case 2:
-            std::copy_n(from, 2, to);
+            __builtin_memcpy(to, from, 2);
             break;
         case 4:
-            std::copy_n(from, 4, to);
+            __builtin_memcpy(to, from, 4);
             break;
         case 8:
-            std::copy_n(from, 8, to);
+            __builtin_memcpy(to, from, 8);
             break;
         default:
-            std::copy_n(from, length, to);
+            for (std::size_t i = 0; i < length; ++i) {
+                to[i] = from[i];
+            }
             break;
     }
 }

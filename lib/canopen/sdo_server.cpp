@@ -112,7 +112,11 @@ Answer answer_to(const frame::Frame& request, const SdoObjects& served, std::siz
 
 }  // namespace
 
-SdoServer::SdoServer(std::uint8_t node_id, const SdoObjects& served) : served_(served) {
+void SdoServer::open(std::uint8_t node_id, const SdoObjects& served) {
+    served_ = served;
+    last_found_ = 0;
+    counters_ = {};
+    clear();
     for (frame::Frame& reply : waiting_) {
         reply.id = cob::sdo_answer + node_id;
         reply.length = sdo::frame_length;

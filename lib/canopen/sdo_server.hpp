@@ -45,8 +45,8 @@ class SdoServer {
         std::uint32_t overflows = 0;  // requests dropped because `capacity` answers were waiting
     };
 
-    SdoServer() = default;
-    SdoServer(std::uint8_t node_id, const SdoObjects& served);
+    // With every reset, before anything else; drops what waits.
+    void open(std::uint8_t node_id, const SdoObjects& served);
 
     // A frame with the server's request identifier. Its answer is offered to `port` when there is one and no
     // older answer waits, else it waits for send_pending(). 80h cancels the answers not yet sent. False: an

@@ -9,7 +9,7 @@ namespace cgw::canopen {
 void Slave::configure(const Tables& tables) {
     node_id_ = tables.node_id;
     heartbeat_ = HeartbeatProducer(tables.node_id, tables.heartbeat_period);
-    sdo_ = SdoServer(tables.node_id, {tables.objects, tables.values, tables.handler});
+    sdo_.open(tables.node_id, {tables.objects, tables.values, tables.handler});
     transmitter_ = PdoTransmitter(tables.transmit, tables.transmit_states, tables.values);
     receiver_ = PdoReceiver(tables.receive, tables.values);
     receive_monitors_ = tables.receive_monitors;

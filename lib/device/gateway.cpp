@@ -50,7 +50,9 @@ void Gateway::command(GovernorCommand command, canopen::Time now) {
 // stay (manual 5.1.1, 9.5).
 void Gateway::initialise(GatewayState state) {
     slave_.initialise();
-    std::copy(initial_values_.begin(), initial_values_.end(), values_.begin());
+    for (std::size_t i = 0; i < initial_values_.size(); ++i) {
+        values_[i] = initial_values_[i];
+    }
     publish(state);
 }
 
@@ -200,7 +202,7 @@ canopen::Time Gateway::poll(canopen::Time now) {
     const canopen::Time announcement = announce(now);
     const canopen::Time slave = slave_.poll(now);
     follow_monitors();
-    return std::min({slave, governor_deadline_, announcement});
+    return std::min(slave, std::min(governor_deadline_, announcement));
 }
 
 void Gateway::hear_governor(canopen::Time now) {

@@ -132,9 +132,10 @@ void GatewayErrors::restore(const std::array<std::uint8_t, error_count>& sentine
 }
 
 void GatewayErrors::reset() {
-    const std::array<std::uint8_t, error_count> kept = sentinels_;
-    *this = {};
-    sentinels_ = kept;
+    present_ = 0;
+    shown_ = 0;
+    canopen_errors_ = 0;
+    words_ = {};
 }
 
 void GatewayErrors::count(const std::array<std::uint16_t, facts::error_words>& before) {

@@ -18,19 +18,10 @@ bool find(const object::ObjectTable& objects, std::uint16_t index, std::uint8_t 
 }  // namespace
 
 std::string_view to_text(GatewayState state) {
-    switch (state) {
-        case GatewayState::undefined:
-            return "Undefined";
-        case GatewayState::init:
-            return "Init";
-        case GatewayState::pre_operational:
-            return "Pre-Operational";
-        case GatewayState::operational:
-            return "Operational";
-        case GatewayState::stopped:
-            return "Stopped";
-    }
-    return "unknown";
+    static constexpr std::array<std::string_view, 5> names = {"Undefined", "Init", "Pre-Operational",
+                                                              "Operational", "Stopped"};
+    const auto position = static_cast<std::size_t>(state);
+    return position < names.size() ? names[position] : "unknown";
 }
 
 std::string_view to_text(OpenStatus status) {

@@ -59,6 +59,7 @@ class GatewayEnd final : public device::GovernorLink {
     void complete_cycle(const Telegram& telegram, Time now);
     void follow(const device::GatewayStatus& status);
     void forward(std::uint8_t rpdo, const device::PdoWords& words);
+    bool has_news() const { return status_news_ || error_news_ || process_data_news_ != 0; }
     void tell_news(Time now);
     void tell_status();
     void tell_process_data();

@@ -27,13 +27,11 @@ Time GatewayEnd::poll(Time now) {
         status_news_ = true;
         error_news_ = true;
     }
-    const bool news = status_news_ || error_news_ || process_data_news_ != 0;
-    if (news && now >= next_news_) {
+    if (has_news() && now >= next_news_) {
         tell_news(now);
     }
     outbox_.send(*port_);
-    const bool waiting = status_news_ || error_news_ || process_data_news_ != 0;
-    return std::min({next_status_, duplicate_until_, waiting ? next_news_ : canopen::never});
+    return std::min(has_news() ? next_news_ : next_status_, std::min(next_status_, duplicate_until_));
 }
 
 void GatewayEnd::tell_news(Time now) {

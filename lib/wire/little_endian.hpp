@@ -2,10 +2,9 @@
 // The caller guarantees that the bytes are there; these functions check nothing.
 #pragma once
 
-#include <algorithm>
-#include <array>
 #include <bit>
 #include <cstdint>
+#include <type_traits>
 
 namespace cgw::wire {
 
@@ -17,28 +16,28 @@ inline constexpr bool direct_access = std::endian::native == std::endian::little
 inline constexpr bool direct_access = false;
 #endif
 
+// Copies that stay instructions also where -Os or -ffreestanding make a call of any other copy.
 template <typename Value>
-constexpr Value load(const std::uint8_t* from) {
-    std::array<std::uint8_t, sizeof(Value)> bytes{};
-    std::copy_n(from, bytes.size(), bytes.begin());
-    return std::bit_cast<Value>(bytes);
+Value load(const std::uint8_t* from) {
+    Value value{};
+    __builtin_memcpy(&value, from, sizeof(value));
+    return value;
 }
 
 template <typename Value>
-constexpr void store(std::uint8_t* to, Value value) {
-    const auto bytes = std::bit_cast<std::array<std::uint8_t, sizeof(Value)>>(value);
-    std::copy_n(bytes.begin(), bytes.size(), to);
+void store(std::uint8_t* to, Value value) {
+    __builtin_memcpy(to, &value, sizeof(value));
 }
 
 constexpr std::uint16_t load_u16(const std::uint8_t* from) {
-    if constexpr (direct_access) {
+    if (direct_access && !std::is_constant_evaluated()) {
         return load<std::uint16_t>(from);
     }
     return static_cast<std::uint16_t>(from[0] | (from[1] << 8));
 }
 
 constexpr std::uint32_t load_u32(const std::uint8_t* from) {
-    if constexpr (direct_access) {
+    if (direct_access && !std::is_constant_evaluated()) {
         return load<std::uint32_t>(from);
     }
     return static_cast<std::uint32_t>(from[0]) | (static_cast<std::uint32_t>(from[1]) << 8) |
@@ -46,7 +45,7 @@ constexpr std::uint32_t load_u32(const std::uint8_t* from) {
 }
 
 constexpr void store_u16(std::uint8_t* to, std::uint16_t value) {
-    if constexpr (direct_access) {
+    if (direct_access && !std::is_constant_evaluated()) {
         store(to, value);
         return;
     }
@@ -55,7 +54,7 @@ constexpr void store_u16(std::uint8_t* to, std::uint16_t value) {
 }
 
 constexpr void store_u32(std::uint8_t* to, std::uint32_t value) {
-    if constexpr (direct_access) {
+    if (direct_access && !std::is_constant_evaluated()) {
         store(to, value);
         return;
     }

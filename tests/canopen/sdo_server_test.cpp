@@ -11,6 +11,7 @@ using test::RecordingPort;
 
 class SdoServerTest : public testing::Test {
   protected:
+    SdoServerTest() { server_.open(5, {table_.objects(), table_.values}); }
     std::vector<frame::Frame> answers(const frame::Frame& request) {
         server_.receive(request);
         server_.send_pending(port_);
@@ -24,7 +25,7 @@ class SdoServerTest : public testing::Test {
 
     test::Table table_ = test::sample_table();
     RecordingPort port_;
-    SdoServer server_{5, {table_.objects(), table_.values}};
+    SdoServer server_;
 };
 
 TEST_F(SdoServerTest, uploads_four_bytes) {
