@@ -2,13 +2,13 @@
 // device's business; that nothing is lost between the wish and the wire is this file's.
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <optional>
 #include <span>
 
 #include "frame/frame.hpp"
+#include "wire/copy.hpp"
 
 namespace cgw::canopen {
 
@@ -37,16 +37,16 @@ using PdoData = std::array<std::uint8_t, 8>;
 inline void copy_run(const std::uint8_t* from, std::size_t length, std::uint8_t* to) {
     switch (length) {
         case 2:
-            std::copy_n(from, 2, to);
+            wire::copy(from, 2, to);
             break;
         case 4:
-            std::copy_n(from, 4, to);
+            wire::copy(from, 4, to);
             break;
         case 8:
-            std::copy_n(from, 8, to);
+            wire::copy(from, 8, to);
             break;
         default:
-            std::copy_n(from, length, to);
+            wire::copy(from, length, to);
             break;
     }
 }

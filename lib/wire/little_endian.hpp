@@ -2,10 +2,9 @@
 // The caller guarantees that the bytes are there; these functions check nothing.
 #pragma once
 
-#include <algorithm>
-#include <array>
 #include <bit>
 #include <cstdint>
+#include <type_traits>
 
 namespace cgw::wire {
 
@@ -17,37 +16,28 @@ inline constexpr bool direct_access = std::endian::native == std::endian::little
 inline constexpr bool direct_access = false;
 #endif
 
-template <typename Value>
-constexpr Value load(const std::uint8_t* from) {
-    std::array<std::uint8_t, sizeof(Value)> bytes{};
-    std::copy_n(from, bytes.size(), bytes.begin());
-    return std::bit_cast<Value>(bytes);
-}
-
-template <typename Value>
-constexpr void store(std::uint8_t* to, Value value) {
-    const auto bytes = std::bit_cast<std::array<std::uint8_t, sizeof(Value)>>(value);
-    std::copy_n(bytes.begin(), bytes.size(), to);
-}
-
 constexpr std::uint16_t load_u16(const std::uint8_t* from) {
-    if constexpr (direct_access) {
-        return load<std::uint16_t>(from);
+    if (direct_access && !std::is_constant_evaluated()) {
+        std::uint16_t value = 0;
+        __builtin_memcpy(&value, from, sizeof value);
+        return value;
     }
     return static_cast<std::uint16_t>(from[0] | (from[1] << 8));
 }
 
 constexpr std::uint32_t load_u32(const std::uint8_t* from) {
-    if constexpr (direct_access) {
-        return load<std::uint32_t>(from);
+    if (direct_access && !std::is_constant_evaluated()) {
+        std::uint32_t value = 0;
+        __builtin_memcpy(&value, from, sizeof value);
+        return value;
     }
     return static_cast<std::uint32_t>(from[0]) | (static_cast<std::uint32_t>(from[1]) << 8) |
            (static_cast<std::uint32_t>(from[2]) << 16) | (static_cast<std::uint32_t>(from[3]) << 24);
 }
 
 constexpr void store_u16(std::uint8_t* to, std::uint16_t value) {
-    if constexpr (direct_access) {
-        store(to, value);
+    if (direct_access && !std::is_constant_evaluated()) {
+        __builtin_memcpy(to, &value, sizeof value);
         return;
     }
     to[0] = static_cast<std::uint8_t>(value);
@@ -55,8 +45,8 @@ constexpr void store_u16(std::uint8_t* to, std::uint16_t value) {
 }
 
 constexpr void store_u32(std::uint8_t* to, std::uint32_t value) {
-    if constexpr (direct_access) {
-        store(to, value);
+    if (direct_access && !std::is_constant_evaluated()) {
+        __builtin_memcpy(to, &value, sizeof value);
         return;
     }
     to[0] = static_cast<std::uint8_t>(value);
