@@ -110,6 +110,7 @@ class PdoTransmitter {
     bool send_pending(frame::FramePort& port);
 
     bool pending() const { return waiting_ != 0; }
+    bool pending(std::size_t position) const { return states_[position].pending; }
     const Counters& counters() const { return counters_; }
 
   private:

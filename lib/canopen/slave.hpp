@@ -83,6 +83,7 @@ class Slave {
 
     const SdoServer& sdo() const { return sdo_; }
     const PdoTransmitter& transmitter() const { return transmitter_; }
+    PdoTransmitter& transmitter() { return transmitter_; }  // for a PdoSchedule; in Operational only
     const PdoReceiver& receiver() const { return receiver_; }
     // Armed in Operational only, as are the receive monitors.
     const ArrivalMonitor& heartbeat_monitor() const { return heartbeat_monitor_; }
