@@ -41,7 +41,10 @@ class SyncProducer {
 
     // The first SYNC is due now, with counter 1.
     void start(Time now);
-    void stop() { deadline_ = never; }
+    void stop() {
+        deadline_ = never;
+        refused_ = false;
+    }
 
     // Sends what is due and returns when the next is. The rhythm is kept: a SYNC sent late does not shift the
     // following ones, missed ones are not made up and do not count.

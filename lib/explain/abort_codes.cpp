@@ -69,7 +69,7 @@ constexpr std::array table{
     AbortCodeRow{number(AbortCode::wrong_device_state),
                  "the data cannot be transferred or stored in the present state of the device", "", ""},
     AbortCodeRow{0x08000023, "there is no object dictionary, or it could not be made", "", ""},
-    AbortCodeRow{0x08000024, "there are no data", "", ""},
+    AbortCodeRow{number(AbortCode::no_data), "there are no data", "", ""},
 };
 
 static_assert(std::is_sorted(table.begin(), table.end(),

@@ -66,6 +66,7 @@ enum class AbortCode : std::uint32_t {
     not_stored = 0x08000020,          // cannot be transferred to or stored in the application
     local_control = 0x08000021,       // the same, because of local control
     wrong_device_state = 0x08000022,  // the same, in the present state of the device
+    no_data = 0x08000024,
 };
 
 }  // namespace cgw::object
