@@ -17,10 +17,10 @@ class HeartbeatConsumer {
     // One watched node, an entry of 1016h.
     struct Node {
         std::uint8_t node_id = 0;
-        Time period = 0;  // microseconds; 0: its state is followed, it is never missed
         NmtState state = NmtState::initialising;
         bool heard = false;  // a heartbeat since the last boot-up
         bool lost = false;
+        Time period = 0;  // microseconds; 0: its state is followed, it is never missed
         Time deadline = never;
     };
 
