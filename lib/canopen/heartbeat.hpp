@@ -18,6 +18,13 @@ class HeartbeatProducer {
     // Out of turn: a heartbeat now, or the boot-up message where no heartbeat is configured (D58).
     void announce(Time now);
 
+    // 1017h was written; `first` is when the first heartbeat of the new period is due.
+    void set_period(Time period, Time first) {
+        period_ = period;
+        deadline_ = first;
+        refused_ = false;
+    }
+
     // Something is due that the port has not taken yet.
     bool pending() const { return boot_up_pending_ || refused_; }
 

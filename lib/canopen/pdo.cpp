@@ -1,7 +1,5 @@
 #include "canopen/pdo.hpp"
 
-#include <algorithm>
-
 namespace cgw::canopen {
 namespace {
 

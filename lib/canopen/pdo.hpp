@@ -2,13 +2,13 @@
 // device's business; that nothing is lost between the wish and the wire is this file's.
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <optional>
 #include <span>
 
 #include "frame/frame.hpp"
+#include "wire/copy.hpp"
 
 namespace cgw::canopen {
 
@@ -37,18 +37,16 @@ using PdoData = std::array<std::uint8_t, 8>;
 inline void copy_run(const std::uint8_t* from, std::size_t length, std::uint8_t* to) {
     switch (length) {
         case 2:
-            __builtin_memcpy(to, from, 2);
+            wire::copy(from, 2, to);
             break;
         case 4:
-            __builtin_memcpy(to, from, 4);
+            wire::copy(from, 4, to);
             break;
         case 8:
-            __builtin_memcpy(to, from, 8);
+            wire::copy(from, 8, to);
             break;
         default:
-            for (std::size_t i = 0; i < length; ++i) {
-                to[i] = from[i];
-            }
+            wire::copy(from, length, to);
             break;
     }
 }
@@ -112,6 +110,7 @@ class PdoTransmitter {
     bool send_pending(frame::FramePort& port);
 
     bool pending() const { return waiting_ != 0; }
+    bool pending(std::size_t position) const { return states_[position].pending; }
     const Counters& counters() const { return counters_; }
 
   private:

@@ -145,6 +145,9 @@ bool SdoServer::receive(const frame::Frame& request, frame::FramePort* port) {
         return true;
     }
     ++count_;
+    if (count_ > 1 && port != nullptr) {
+        send_pending(*port);
+    }
     return true;
 }
 

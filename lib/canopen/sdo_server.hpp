@@ -48,9 +48,9 @@ class SdoServer {
     // With every reset, before anything else; drops what waits.
     void open(std::uint8_t node_id, const SdoObjects& served);
 
-    // A frame with the server's request identifier. Its answer is offered to `port` when there is one and no
-    // older answer waits, else it waits for send_pending(). 80h cancels the answers not yet sent. False: an
-    // overflow, the request is dropped.
+    // A frame with the server's request identifier. Its answer is offered to `port`, after older ones;
+    // without a port, or when it takes nothing, it waits for send_pending(). 80h cancels the answers not yet
+    // sent. False: an overflow, the request is dropped.
     bool receive(const frame::Frame& request, frame::FramePort* port = nullptr);
 
     // Offers the waiting answers. False: the port did not take all of them.

@@ -60,6 +60,11 @@ class Slave {
     void force(NmtState state, Time now) { enter(state, now); }
     // A sign of life out of turn: see HeartbeatProducer::announce.
     void announce(Time now) { heartbeat_.announce(now); }
+    // 1017h was written: the next heartbeat comes one new period from now; 0: none any more.
+    void set_heartbeat_period(Time period, Time now) {
+        const bool off = period == 0 || state_ == NmtState::initialising;
+        heartbeat_.set_period(period, off ? never : now + period);
+    }
     NmtState state() const { return state_; }
 
     // A request to transmit counts in Operational only.
@@ -83,6 +88,7 @@ class Slave {
 
     const SdoServer& sdo() const { return sdo_; }
     const PdoTransmitter& transmitter() const { return transmitter_; }
+    PdoTransmitter& transmitter() { return transmitter_; }  // for a PdoSchedule; in Operational only
     const PdoReceiver& receiver() const { return receiver_; }
     // Armed in Operational only, as are the receive monitors.
     const ArrivalMonitor& heartbeat_monitor() const { return heartbeat_monitor_; }

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "wire/copy.hpp"
+
 namespace cgw::device {
 namespace {
 
@@ -50,9 +52,7 @@ void Gateway::command(GovernorCommand command, canopen::Time now) {
 // stay (manual 5.1.1, 9.5).
 void Gateway::initialise(GatewayState state) {
     slave_.initialise();
-    for (std::size_t i = 0; i < initial_values_.size(); ++i) {
-        values_[i] = initial_values_[i];
-    }
+    wire::copy(initial_values_.data(), initial_values_.size(), values_.data());
     publish(state);
 }
 

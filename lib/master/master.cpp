@@ -35,6 +35,9 @@ void Master::receive(const frame::Frame& frame, canopen::Time now) {
     }
     sdo_.receive(frame);
     receive_heartbeat(frame, now);
+    if (const std::optional<canopen::ReceivedEmergency> emergency = canopen::read_emergency(frame)) {
+        listener_->emergency(*emergency, now);
+    }
     const auto end = subscriptions_.begin() + static_cast<std::ptrdiff_t>(subscription_count_);
     if (std::find(subscriptions_.begin(), end, frame.id) != end) {
         listener_->process_data(frame, now);
@@ -50,11 +53,21 @@ void Master::receive_heartbeat(const frame::Frame& frame, canopen::Time now) {
     if (!state) {
         return;
     }
+    nodes_.hear(node_id, *state, now);
     if (*state == canopen::NmtState::initialising) {
         listener_->boot_up(node_id, now);
     } else {
         listener_->heartbeat(node_id, *state, now);
     }
+}
+
+canopen::Time Master::poll(canopen::Time now) {
+    while (const std::optional<std::uint8_t> node_id = nodes_.expire(now)) {
+        listener_->lost(*node_id, now);
+    }
+    const canopen::Time sync = sync_.poll(now, *port_);
+    commands_.send_pending(*port_);
+    return std::min({sdo_.poll(now, *port_), sync, nodes_.deadline()});
 }
 
 }  // namespace cgw::master

@@ -42,7 +42,8 @@ enum class ObjectCode : std::uint8_t { var = 0x7, array = 0x8, record = 0x9 };
 // rwr / rww: readable and writable, mappable into a TPDO (r) or an RPDO (w) only.
 enum class Access : std::uint8_t { ro = 0, wo = 1, rw = 2, rwr = 3, rww = 4, constant = 5 };
 
-// The abort codes the gateway sends (manual, table 3) and those its client side may meet.
+// SDO abort codes of CiA 301 that a server here sends or a client may meet; all of them, with texts, are in
+// explain/abort_codes.cpp.
 enum class AbortCode : std::uint32_t {
     none = 0,
     timed_out = 0x05040000,
@@ -51,10 +52,21 @@ enum class AbortCode : std::uint32_t {
     write_only = 0x06010001,
     read_only = 0x06010002,
     object_missing = 0x06020000,
+    not_mappable = 0x06040041,
+    mapping_too_long = 0x06040042,
+    incompatible = 0x06040043,  // with other parameters
+    hardware = 0x06060000,
     length_too_high = 0x06070012,
     length_too_low = 0x06070013,
     sub_index_missing = 0x06090011,
+    value_invalid = 0x06090030,
+    value_too_high = 0x06090031,
+    value_too_low = 0x06090032,
     general = 0x08000000,
+    not_stored = 0x08000020,          // cannot be transferred to or stored in the application
+    local_control = 0x08000021,       // the same, because of local control
+    wrong_device_state = 0x08000022,  // the same, in the present state of the device
+    no_data = 0x08000024,
 };
 
 }  // namespace cgw::object

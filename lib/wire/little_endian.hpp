@@ -16,29 +16,20 @@ inline constexpr bool direct_access = std::endian::native == std::endian::little
 inline constexpr bool direct_access = false;
 #endif
 
-// Copies that stay instructions also where -Os or -ffreestanding make a call of any other copy.
-template <typename Value>
-Value load(const std::uint8_t* from) {
-    Value value{};
-    __builtin_memcpy(&value, from, sizeof(value));
-    return value;
-}
-
-template <typename Value>
-void store(std::uint8_t* to, Value value) {
-    __builtin_memcpy(to, &value, sizeof(value));
-}
-
 constexpr std::uint16_t load_u16(const std::uint8_t* from) {
     if (direct_access && !std::is_constant_evaluated()) {
-        return load<std::uint16_t>(from);
+        std::uint16_t value = 0;
+        __builtin_memcpy(&value, from, sizeof value);
+        return value;
     }
     return static_cast<std::uint16_t>(from[0] | (from[1] << 8));
 }
 
 constexpr std::uint32_t load_u32(const std::uint8_t* from) {
     if (direct_access && !std::is_constant_evaluated()) {
-        return load<std::uint32_t>(from);
+        std::uint32_t value = 0;
+        __builtin_memcpy(&value, from, sizeof value);
+        return value;
     }
     return static_cast<std::uint32_t>(from[0]) | (static_cast<std::uint32_t>(from[1]) << 8) |
            (static_cast<std::uint32_t>(from[2]) << 16) | (static_cast<std::uint32_t>(from[3]) << 24);
@@ -46,7 +37,7 @@ constexpr std::uint32_t load_u32(const std::uint8_t* from) {
 
 constexpr void store_u16(std::uint8_t* to, std::uint16_t value) {
     if (direct_access && !std::is_constant_evaluated()) {
-        store(to, value);
+        __builtin_memcpy(to, &value, sizeof value);
         return;
     }
     to[0] = static_cast<std::uint8_t>(value);
@@ -55,7 +46,7 @@ constexpr void store_u16(std::uint8_t* to, std::uint16_t value) {
 
 constexpr void store_u32(std::uint8_t* to, std::uint32_t value) {
     if (direct_access && !std::is_constant_evaluated()) {
-        store(to, value);
+        __builtin_memcpy(to, &value, sizeof value);
         return;
     }
     to[0] = static_cast<std::uint8_t>(value);

@@ -10,6 +10,8 @@ namespace cgw::bench {
 namespace {
 
 constexpr std::uint8_t node = 12;  // 427
+constexpr std::uint32_t rpdo3 = canopen::cob::rpdo[2] + node;
+constexpr std::uint32_t foreign = 0x123;
 
 void ask(RunningGateway& running, std::uint8_t command, std::uint16_t index, std::uint8_t sub_index) {
     frame::Frame frame;
@@ -34,13 +36,25 @@ void receive(RunningGateway& running, std::uint32_t id) {
 }
 
 constexpr Operation all[] = {
-    {"SDO upload u16", [](RunningGateway& running) { ask(running, 0x40, 0x2000, 3); }, 1},
-    {"SDO upload u32", [](RunningGateway& running) { ask(running, 0x40, 0x1018, 2); }, 1},
-    {"SDO upload, another each time", ask_in_turn, 1},
-    {"SDO download refused", [](RunningGateway& running) { ask(running, 0x2B, 0x1017, 0); }, 1},
-    {"SDO object missing", [](RunningGateway& running) { ask(running, 0x40, 0x3000, 0); }, 1},
-    {"RPDO of 4 words", [](RunningGateway& running) { receive(running, canopen::cob::rpdo[2] + node); }, 0},
-    {"foreign frame", [](RunningGateway& running) { receive(running, 0x123); }, 0},
+    {"SDO upload u16", [](RunningGateway& running) { ask(running, 0x40, 0x2000, 3); }, 1, true},
+    {"SDO upload u32", [](RunningGateway& running) { ask(running, 0x40, 0x1018, 2); }, 1, true},
+    {"SDO upload, another each time", ask_in_turn, 1, true},
+    {"SDO download refused", [](RunningGateway& running) { ask(running, 0x2B, 0x1017, 0); }, 1, true},
+    {"SDO object missing", [](RunningGateway& running) { ask(running, 0x40, 0x3000, 0); }, 1, true},
+    {"RPDO of 4 words", [](RunningGateway& running) { receive(running, rpdo3); }, 0, true},
+    {"RPDO of 4 words, and poll",
+     [](RunningGateway& running) {
+         receive(running, rpdo3);
+         running.gateway.poll(running.now);
+     },
+     0, true},
+    {"foreign frame", [](RunningGateway& running) { receive(running, foreign); }, 0, true},
+    {"foreign frame, and poll",
+     [](RunningGateway& running) {
+         receive(running, foreign);
+         running.gateway.poll(running.now);
+     },
+     0, true},
     {"governor cycle with 13 TPDOs",
      [](RunningGateway& running) { running.gateway.main_cycle(running.data, running.now); }, 13},
     {"idle poll", [](RunningGateway& running) { running.gateway.poll(running.now); }, 0},
@@ -48,13 +62,16 @@ constexpr Operation all[] = {
 
 }  // namespace
 
-RunningGateway::RunningGateway() {
-    const driver::CheckedFile file = driver::check_file(CGW_TEST_DATA "/full.toml");
+base::Bytes image_of(const std::string& parameter_file) {
+    const driver::CheckedFile file = driver::check_file(parameter_file);
     if (!file.valid()) {
-        throw std::runtime_error("tests/data/full.toml is not valid");
+        throw std::runtime_error(parameter_file + " is not valid");
     }
     const auto plant = driver::Plant::make(file);
-    bytes_ = emit::find_emitter("image")->emit(plant->view(), {});
+    return emit::find_emitter("image")->emit(plant->view(), {});
+}
+
+RunningGateway::RunningGateway() : bytes_(image_of(CGW_TEST_DATA "/full.toml")) {
     if (image::Image::open(bytes_, image_) != image::Status::ok ||
         gateway.open(image_, now) != device::OpenStatus::ok) {
         throw std::runtime_error("the image is refused");

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <span>
+#include <string>
 #include <string_view>
 
 #include "base/bytes.hpp"
@@ -10,6 +11,9 @@
 #include "image/image.hpp"
 
 namespace cgw::bench {
+
+// The image of a valid parameter file; throws when it is none.
+base::Bytes image_of(const std::string& parameter_file);
 
 struct CountingPort final : frame::FramePort {
     bool send(const frame::Frame& frame) override {
@@ -46,7 +50,8 @@ class RunningGateway {
 struct Operation {
     std::string_view name;
     void (*run)(RunningGateway& running);
-    std::uint64_t frames;  // that one run sends
+    std::uint64_t frames;   // that one run sends
+    bool received = false;  // one run is one frame from the bus
 };
 std::span<const Operation> operations();
 

@@ -152,6 +152,29 @@ TEST_F(SdoServerTest, keeps_answers_for_a_port_that_says_not_now) {
                                          make_frame(0x585, {0x43, 0x18, 0x10, 3, 7, 0, 0, 0})}));
 }
 
+TEST_F(SdoServerTest, lets_no_answer_overtake_one_that_waits) {
+    port_.room = 0;
+    server_.receive(make_frame(0x605, {0x40, 0x18, 0x10, 1, 0, 0, 0, 0}), &port_);
+    EXPECT_TRUE(server_.pending());
+    port_.room = RecordingPort::unlimited;
+    server_.receive(make_frame(0x605, {0x40, 0x18, 0x10, 3, 0, 0, 0, 0}), &port_);
+    EXPECT_FALSE(server_.pending());
+    EXPECT_EQ(port_.take(), (std::vector{make_frame(0x585, {0x43, 0x18, 0x10, 1, 0x61, 0x01, 0, 0}),
+                                         make_frame(0x585, {0x43, 0x18, 0x10, 3, 7, 0, 0, 0})}));
+}
+
+TEST_F(SdoServerTest, aborts_with_the_multiplexer_of_the_request_after_any_other) {
+    port_.room = 0;
+    server_.receive(make_frame(0x605, {0x40, 0x18, 0x10, 1, 0, 0, 0, 0}), &port_);
+    server_.receive(make_frame(0x605, {0x40, 0x34, 0x12, 5, 0, 0, 0, 0}), &port_);
+    server_.receive(make_frame(0x605, {0x60, 0x78, 0x56, 9, 0, 0, 0, 0}), &port_);
+    port_.room = RecordingPort::unlimited;
+    server_.send_pending(port_);
+    EXPECT_EQ(port_.take(), (std::vector{make_frame(0x585, {0x43, 0x18, 0x10, 1, 0x61, 0x01, 0, 0}),
+                                         make_frame(0x585, {0x80, 0x34, 0x12, 5, 0x00, 0x00, 0x02, 0x06}),
+                                         make_frame(0x585, {0x80, 0x78, 0x56, 9, 0x01, 0x00, 0x04, 0x05})}));
+}
+
 TEST_F(SdoServerTest, answers_an_abandoned_request_only_under_its_own_multiplexer) {
     port_.room = 0;
     server_.receive(make_frame(0x605, {0x40, 0x17, 0x10, 0, 0, 0, 0, 0}));

@@ -38,6 +38,29 @@ TEST_F(SlaveTest, shows_each_state_in_its_heartbeat) {
               (std::vector{make_frame(0x705, {0x05}), make_frame(0x705, {0x04}), make_frame(0x705, {0x7F})}));
 }
 
+TEST_F(SlaveTest, changes_its_heartbeat_period_while_it_runs) {
+    boot_up();
+    slave_.set_heartbeat_period(30'000, 50'000);
+    EXPECT_EQ(slave_.poll(79'999), 80'000U);
+    EXPECT_EQ(slave_.poll(80'000), 110'000U);
+    EXPECT_EQ(port_.take(), (std::vector{make_frame(0x705, {0x7F})}));
+    slave_.set_heartbeat_period(0, 90'000);
+    EXPECT_EQ(slave_.poll(1'000'000), never);
+    EXPECT_TRUE(port_.sent.empty());
+}
+
+TEST_F(SlaveTest, changes_its_heartbeat_period_before_its_boot_up_left) {
+    slave_.set_heartbeat_period(30'000, 0);
+    EXPECT_EQ(slave_.poll(1'000'000), never);
+    port_.room = 0;
+    slave_.boot_up();
+    slave_.poll(1'000'000);
+    slave_.set_heartbeat_period(40'000, 1'000'000);
+    port_.room = RecordingPort::unlimited;
+    EXPECT_EQ(slave_.poll(2'000'000), 2'040'000U);
+    EXPECT_EQ(port_.take(), (std::vector{make_frame(0x705, {0x00})}));
+}
+
 TEST_F(SlaveTest, obeys_broadcasts_and_no_command_for_another_node) {
     boot_up();
     EXPECT_EQ(command(NmtCommand::start, 6), Kind::none);

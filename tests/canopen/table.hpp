@@ -15,13 +15,14 @@ class Table {
 
     // Objects are added in ascending order.
     Table& add(std::uint16_t index, std::uint8_t sub_index, DataType type, Access access, std::uint32_t value,
-               std::uint8_t flags = 0) {
+               std::uint8_t flags = 0, std::uint8_t handler = 0) {
         object::ObjectEntry entry;
         entry.index = index;
         entry.sub_index = sub_index;
         entry.type = type;
         entry.access = access;
         entry.flags = flags;
+        entry.handler = handler;
         entry.offset = static_cast<std::uint16_t>(values.size());
         entry.length = object::size_of(type);
         values.resize(values.size() + entry.length);
