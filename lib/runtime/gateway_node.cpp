@@ -124,12 +124,9 @@ void GatewayNode::take_can1(const frame::Frame& frame, Time now) {
 }
 
 void GatewayNode::hear_refusal() {
-    const link::Answer before = answer_;
-    answer_ = link_.answer();
-    const link::Refusal& refusal = link_.refusal();
-    const bool reason = refusal.incomplete || refusal.received != refusal.expected.value;
-    if (answer_ == link::Answer::refused && before != answer_ && reason) {
-        events_->governor_refused(refusal);
+    if (link_.refusals() != refusals_) {
+        refusals_ = link_.refusals();
+        events_->governor_refused(link_.refusal());
     }
 }
 

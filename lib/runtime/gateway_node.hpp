@@ -100,7 +100,7 @@ class GatewayNode final : public media::Source {
     std::optional<SimulatedCan1> simulated_;
     device::OpenStatus status_ = device::OpenStatus::ok;
     device::GatewayStatus told_;
-    link::Answer answer_ = link::Answer::none;
+    unsigned refusals_ = 0;  // told already
     Time gateway_deadline_ = 0;
     Time link_deadline_ = 0;
     std::array<std::optional<Time>, 32> heard_{};  // when a governor, by its node number, last talked to us
