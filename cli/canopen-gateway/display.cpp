@@ -59,6 +59,22 @@ std::string_view to_text(canopen::NmtState state) {
     return "unknown";
 }
 
+std::string_view to_text(device::GatewayState state) {
+    switch (state) {
+        case device::GatewayState::undefined:
+            return "Undefined";
+        case device::GatewayState::init:
+            return "Init";
+        case device::GatewayState::pre_operational:
+            return "Pre-Operational";
+        case device::GatewayState::operational:
+            return "Operational";
+        case device::GatewayState::stopped:
+            return "Stopped";
+    }
+    return "unknown";
+}
+
 std::string abort_text(std::uint32_t code) {
     for (const AbortText& row : abort_texts) {
         if (static_cast<std::uint32_t>(row.code) == code) {

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "canopen/protocol.hpp"
+#include "device/governor_link.hpp"
 #include "image/image.hpp"
 
 namespace cgw::gateway_cli {
@@ -13,6 +14,7 @@ namespace cgw::gateway_cli {
 inline constexpr std::size_t line_width = 80;
 
 std::string_view to_text(canopen::NmtState state);
+std::string_view to_text(device::GatewayState state);
 // "abort 0x06010002, read-only object", …
 std::string abort_text(std::uint32_t code);
 

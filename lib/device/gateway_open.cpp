@@ -17,22 +17,6 @@ bool find(const object::ObjectTable& objects, std::uint16_t index, std::uint8_t 
 
 }  // namespace
 
-std::string_view to_text(GatewayState state) {
-    switch (state) {
-        case GatewayState::undefined:
-            return "Undefined";
-        case GatewayState::init:
-            return "Init";
-        case GatewayState::pre_operational:
-            return "Pre-Operational";
-        case GatewayState::operational:
-            return "Operational";
-        case GatewayState::stopped:
-            return "Stopped";
-    }
-    return "unknown";
-}
-
 std::string_view to_text(OpenStatus status) {
     switch (status) {
         case OpenStatus::ok:

@@ -4,7 +4,6 @@
 
 #include <array>
 #include <cstdint>
-#include <string_view>
 
 #include "facts/gateway.hpp"
 
@@ -12,8 +11,6 @@ namespace cgw::device {
 
 // The five states of the manual's chapter 3 (D50).
 enum class GatewayState : std::uint8_t { undefined, init, pre_operational, operational, stopped };
-
-std::string_view to_text(GatewayState state);  // "Pre-Operational", …
 
 // Governor to gateway: commands of the state machine (manual, chapter 3).
 enum class GovernorCommand : std::uint8_t { undefined, init, pre_operational };

@@ -92,6 +92,11 @@ std::string place_of(const link::Item& item) {
 
 }  // namespace
 
+std::string_view state_text(device::GatewayState state) {
+    constexpr std::string_view texts[] = {"Undefined", "Init", "Pre-Operational", "Operational", "Stopped"};
+    return texts[static_cast<std::size_t>(state)];
+}
+
 std::vector<std::string> lines_of_change(const device::GatewayStatus& before,
                                          const device::GatewayStatus& now) {
     std::vector<std::string> lines;
@@ -103,7 +108,7 @@ std::vector<std::string> lines_of_change(const device::GatewayStatus& before,
         }
     }
     if (before.state != now.state) {
-        lines.push_back(fmt::format("state {}", device::to_text(now.state)));
+        lines.push_back(fmt::format("state {}", state_text(now.state)));
     }
     for (const std::uint16_t number : old_errors) {
         if (!new_errors.contains(number)) {

@@ -41,6 +41,12 @@ std::optional<std::uint32_t> GatewayNode::bit_rate(Side side) const {
     return channel_on(side) ? end(side).connection.channel->bit_rate() : std::nullopt;
 }
 
+void GatewayNode::clear_errors(Time steady_now) {
+    service({}, steady_now);
+    link_.clear_errors(now_);
+    link_deadline_ = link_.poll(now_);
+}
+
 Diagnosis GatewayNode::diagnosis() const {
     Diagnosis diagnosis;
     diagnosis.image = image_;
@@ -101,7 +107,9 @@ void GatewayNode::serve(Side side, std::span<const pollfd> entries, std::size_t&
         return;
     }
     media::Channel& channel = *end(side).connection.channel;
-    if (entries[position++].revents != 0 || channel.deadline() <= steady_now) {
+    const bool ready = position < entries.size() && entries[position].revents != 0;
+    ++position;
+    if (ready || channel.deadline() <= steady_now) {
         channel.service(steady_now, listeners_[static_cast<std::size_t>(side)]);
     }
 }

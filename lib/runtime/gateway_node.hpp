@@ -34,6 +34,8 @@ class GatewayNode final : public media::Source {
     device::OpenStatus status() const { return status_; }
 
     device::Gateway& gateway() { return gateway_; }
+    // "Clear errors", as a service tool at the gateway does (GWM 9.1); the governor's are cleared with them.
+    void clear_errors(Time steady_now);
     Diagnosis diagnosis() const;
     // Bits per second, as far as the connection knows.
     std::optional<std::uint32_t> bit_rate(Side side) const;

@@ -145,7 +145,8 @@ Ending Run::execute() {
         node_->gateway().restore(keeper_->memory()->sentinels());
     }
     // From here on a signal is a wish, also while the last files are written.
-    media::Signals signals({SIGINT, SIGTERM, SIGHUP, SIGUSR1}, [this](int number) { take_signal(number); });
+    media::Signals signals({SIGINT, SIGTERM, SIGHUP, SIGUSR1, SIGUSR2},
+                           [this](int number) { take_signal(number); });
     introduce();
     loop(signals);
     finish();
@@ -189,6 +190,11 @@ void Run::take_signal(int number) {
         output_.show(status_page(node_->diagnosis()));
         return;
     }
+    if (number == SIGUSR2) {
+        say("clear errors (SIGUSR2)");
+        node_->clear_errors(loop_.now());
+        return;
+    }
     why_ended_ = signal_text(number);
     loop_.stop();
 }
@@ -202,7 +208,7 @@ void Run::finish() {
         text = status_page(diagnosis);
     } else {
         text = fmt::format("ran {:.1f} s, gateway {}\n", static_cast<double>(diagnosis.now) / second,
-                           device::to_text(diagnosis.gateway->state()));
+                           state_text(diagnosis.gateway->state()));
         for (const auto& [name, bus] :
              {std::pair{"CAN1", &diagnosis.can1}, std::pair{"CAN2", &diagnosis.can2}}) {
             text += fmt::format("{} frames received {}, sent {}, lost {}\n", name, bus->received, bus->sent,

@@ -219,6 +219,18 @@ class RealTime(unittest.TestCase):
             node.wait_for("state Operational")
             self.assertEqual(node.end()[0], 0)
 
+    def test_clears_errors_on_sigusr2(self):
+        with hub() as bus_hub, gateway("--can2", f"hub:127.0.0.1:{bus_hub.port}") as node:
+            node.wait_for("state Pre-Operational")
+            bus_hub.end()
+            node.wait_for("error 3072")
+            with hub(bus_hub.port):
+                node.wait_for("CAN2 up: ")
+                node.process.send_signal(signal.SIGUSR2)
+                node.wait_for(r"clear errors \(SIGUSR2\)")
+                node.wait_for("cleared 3072 ErrCanBus2")
+                self.assertEqual(node.end()[0], 0)
+
     def test_runs_with_a_governor_that_is_another_process(self):
         with hub() as bus_hub, Bus(bus_hub.port, "can2") as bus:
             where = f"hub:127.0.0.1:{bus_hub.port}"

@@ -87,11 +87,12 @@ TEST_F(GovernorElsewhere, is_missed_when_can1_goes_away_and_found_again) {
     EXPECT_EQ(node->diagnosis().governors_heard, 0U);
     can1->set_up(true);
     pass(second);
-    EXPECT_EQ(events.take(), (Lines{"CAN1 up there", "state Init", "state Pre-Operational"}));
+    EXPECT_EQ(events.take(), (Lines{"CAN1 up there", "error 12415 CanOpDCErrCanComm", "state Init",
+                                    "state Pre-Operational"}));  // the governor has missed the gateway too
     can2->incoming.push_back(make_frame(0, {1, 5}));
     pass(10'000);
-    EXPECT_EQ(events.take(),
-              (Lines{"state Operational", "cleared 3070 ErrCanBus1", "cleared 3071 ErrCanComm1"}));
+    EXPECT_EQ(events.take(), (Lines{"state Operational", "cleared 3070 ErrCanBus1",
+                                    "cleared 3071 ErrCanComm1", "cleared 12415 CanOpDCErrCanComm"}));
 }
 
 TEST_F(GovernorElsewhere, is_refused_with_the_reason_when_it_has_another_configuration) {
@@ -106,6 +107,11 @@ TEST_F(GovernorElsewhere, is_refused_with_the_reason_when_it_has_another_configu
     EXPECT_EQ(std::count(lines.begin(), lines.end(), refusal), 3);
     EXPECT_EQ(std::count(lines.begin(), lines.end(), "error 12412 CanOpInitErr"), 1);
     EXPECT_EQ(node->gateway().state(), device::GatewayState::undefined);
+    node->clear_errors(now);  // three more attempts
+    pass(5 * second);
+    const Lines again = events.take();
+    EXPECT_EQ(again.front(), "cleared 12412 CanOpInitErr");
+    EXPECT_EQ(std::count(again.begin(), again.end(), refusal), 3);
 }
 
 }  // namespace
