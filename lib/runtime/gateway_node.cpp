@@ -20,8 +20,8 @@ Fault overflow_fault(Side side) {
 }  // namespace
 
 GatewayNode::GatewayNode(const image::Image& image, Connection can1, Connection can2, std::uint8_t boot,
-                         Events& events, Time steady_now)
-    : events_(&events), clock_(steady_now), image_(&image) {
+                         Events& events)
+    : events_(&events), image_(&image) {
     end(Side::can1).view.name = can1.name;
     end(Side::can2).view.name = can2.name;
     end(Side::can1).connection = std::move(can1);
@@ -88,6 +88,10 @@ Time GatewayNode::deadline() const {
 // never goes backwards. After every service of a channel the gateway is asked again, which is when frames
 // that had no room are offered anew.
 void GatewayNode::service(std::span<const pollfd> entries, Time steady_now) {
+    if (!started_) {
+        started_ = true;
+        clock_ = RunClock(steady_now);
+    }
     now_ = clock_.at(steady_now);
     if (clock_.left_out() != 0) {
         events_->left_out(clock_.left_out());

@@ -28,7 +28,7 @@ class GatewayNode final : public media::Source {
     // `boot` differs from the number of the run before, so that a governor notices the restart. Image and
     // `events` outlive the node.
     GatewayNode(const image::Image& image, Connection can1, Connection can2, std::uint8_t boot,
-                Events& events, Time steady_now);
+                Events& events);
 
     // Why the gateway does not take the image; ok when it runs.
     device::OpenStatus status() const { return status_; }
@@ -88,8 +88,9 @@ class GatewayNode final : public media::Source {
     void hear_refusal();
 
     Events* events_;
-    RunClock clock_;
-    Time now_ = 0;  // the gateway's
+    bool started_ = false;
+    RunClock clock_{0};  // begins with the first service()
+    Time now_ = 0;       // the gateway's
     std::array<End, 2> ends_;
     Port can1_port_{*this, Side::can1};
     Port can2_port_{*this, Side::can2};

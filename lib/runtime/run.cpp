@@ -135,8 +135,7 @@ Ending Run::execute() {
         return Ending::environment;
     }
     const auto boot = static_cast<std::uint8_t>(media::wall_clock_now() / second);
-    node_ = std::make_unique<GatewayNode>(image_, std::move(can1), std::move(can2), boot, *this,
-                                          media::steady_now());
+    node_ = std::make_unique<GatewayNode>(image_, std::move(can1), std::move(can2), boot, *this);
     if (node_->status() != device::OpenStatus::ok) {
         output_.complain(fmt::format("the configuration is refused: {}", device::to_text(node_->status())));
         return Ending::refused;

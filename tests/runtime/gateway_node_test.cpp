@@ -19,7 +19,7 @@ class GatewayOnChannels : public testing::Test {
         auto channel = std::make_unique<test::FakeChannel>();
         can2 = channel.get();
         node.emplace(image_, Connection{"simulated", nullptr}, Connection{"test", std::move(channel)},
-                     std::uint8_t{7}, events, now);
+                     std::uint8_t{7}, events);
         ASSERT_EQ(node->status(), device::OpenStatus::ok);
     }
 

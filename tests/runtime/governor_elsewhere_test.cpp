@@ -25,7 +25,7 @@ class GovernorElsewhere : public testing::Test {
         can1 = first.get();
         can2 = second_channel.get();
         node.emplace(gateway_image_, Connection{"one", std::move(first)},
-                     Connection{"two", std::move(second_channel)}, std::uint8_t{1}, events, now);
+                     Connection{"two", std::move(second_channel)}, std::uint8_t{1}, events);
         governor.emplace(governor_image_, far_end, now);
     }
     void serve(media::Source& source) {
@@ -81,7 +81,7 @@ TEST_F(GovernorElsewhere, is_missed_when_can1_goes_away_and_found_again) {
     pass(second);
     events.take();
     can1->set_up(false);
-    pass(second);
+    pass(2 * second);
     EXPECT_EQ(events.take(), (Lines{"CAN1 down gone", "error 3070 ErrCanBus1", "state Undefined",
                                     "error 3071 ErrCanComm1"}));
     EXPECT_EQ(node->diagnosis().governors_heard, 0U);
