@@ -153,7 +153,8 @@ std::string help_text() {
         text += fmt::format("  {:<20} {}\n", kind.form, kind.summary);
     }
     text +=
-        "\nIn real time SIGUSR1 shows all measurements on standard error.\n"
+        "\nIn real time SIGUSR1 shows all measurements on standard error, SIGUSR2 clears\n"
+        "errors as a service tool does.\n"
         "\nexit: 0 fine; 1 the embedded configuration is refused, or the gateway did not\n"
         "answer the master as it should in that time; 2 usage; 3 an interface is\n"
         "missing, or a file cannot be read or written\n";

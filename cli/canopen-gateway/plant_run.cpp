@@ -21,7 +21,6 @@ PlantRun::PlantRun(const image::Image& image, Time duration, std::ostream& out)
       plant_(image),
       node_(plant_.can2(), image.can2().own_node, sdo_timeout),
       plc_(plant_.can2(), node_, image) {
-    plant_.can2().observe([this](const frame::Frame& frame, Time now) { log_.record(frame, now); });
     simulation::subscribe_transmit_pdos(node_, image);
     plc_.send_heartbeat();
 }

@@ -10,7 +10,6 @@
 
 #include "cli/canopen-gateway/options.hpp"
 #include "image/image.hpp"
-#include "media/candump.hpp"
 #include "simulation/master_node.hpp"
 #include "simulation/plant.hpp"
 #include "simulation/plc.hpp"
@@ -27,7 +26,6 @@ class PlantRun {
     simulation::Plant& plant() { return plant_; }
     simulation::MasterNode& node() { return node_; }
     master::Master& master() { return node_.master(); }
-    const media::CandumpLog& log() const { return log_; }
     std::uint8_t node_id() const { return image_->can2().own_node; }
     Time now() { return plant_.now(); }
 
@@ -61,7 +59,6 @@ class PlantRun {
     simulation::Plant plant_;
     simulation::MasterNode node_;
     simulation::Plc plc_;
-    media::CandumpLog log_{"can0"};
 };
 
 }  // namespace cgw::gateway_cli

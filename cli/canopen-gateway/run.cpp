@@ -10,6 +10,8 @@
 #include "cli/canopen-gateway/display.hpp"
 #include "cli/canopen-gateway/options.hpp"
 #include "cli/canopen-gateway/plant_run.hpp"
+#include "media/log.hpp"
+#include "runtime/keeper.hpp"
 #include "runtime/run.hpp"
 
 namespace cgw::gateway_cli {
@@ -48,6 +50,34 @@ void summarise(PlantRun& plant_run, std::ostream& out) {
                        slave.sdo().counters().answers, slave.sdo().counters().aborts);
 }
 
+void complain(std::ostream& error, std::string_view line) {
+    error << "canopen-gateway: " << base::printable(line) << '\n' << std::flush;
+}
+
+// All frames of both buses, to be written when the run is over.
+class PlantLog {
+  public:
+    explicit PlantLog(PlantRun& run) {
+        for (const runtime::Side side : {runtime::Side::can1, runtime::Side::can2}) {
+            simulation::Bus& bus = side == runtime::Side::can1 ? run.plant().can1() : run.plant().can2();
+            bus.observe([this, side](const frame::Frame& frame, Time now) {
+                frames_.push_back({now, std::string(runtime::interface_name(side)), frame});
+            });
+        }
+    }
+
+    std::size_t frames() const { return frames_.size(); }
+
+    base::Result<void> write(const std::string& path) const {
+        const auto format = media::log_format_of(path).value_or(media::LogFormat::candump);
+        const base::Result<base::Bytes> content = media::write_log(format, frames_);
+        return content ? base::write_file(path, *content) : tl::unexpected(content.error());
+    }
+
+  private:
+    std::vector<media::LoggedFrame> frames_;
+};
+
 int run_plant(const Options& options, const image::Image& image, std::ostream& out, std::ostream& error) {
     const std::uint64_t duration = options.duration_us.value_or(simulated_duration_us);
     PlantRun plant_run(image, duration, out);
@@ -55,6 +85,10 @@ int run_plant(const Options& options, const image::Image& image, std::ostream& o
         error << fmt::format("canopen-gateway: the embedded configuration is refused: {}\n",
                              device::to_text(plant_run.plant().status()));
         return exit_refused;
+    }
+    std::optional<PlantLog> log;
+    if (!options.log.empty()) {
+        log.emplace(plant_run);
     }
     out << introduction(image, true);
     bool fine = true;
@@ -64,20 +98,17 @@ int run_plant(const Options& options, const image::Image& image, std::ostream& o
         plant_run.run_for(duration);
     }
     summarise(plant_run, out);
-    if (!options.log.empty()) {
-        const auto written = base::write_file(options.log, plant_run.log().content());
+    if (log) {
+        const base::Result<void> written = log->write(options.log);
         if (!written) {
-            error << "canopen-gateway: " << base::printable(written.error().message) << '\n';
+            complain(error, written.error().message);
             return exit_environment;
         }
-        out << clipped(fmt::format("log of {} frames: {}", plant_run.log().frames(), options.log), line_width)
+        out << clipped(fmt::format("log of {} frames: {}", log->frames(), base::printable(options.log)),
+                       line_width)
             << '\n';
     }
     return fine ? exit_fine : exit_refused;
-}
-
-void complain(std::ostream& error, std::string_view line) {
-    error << "canopen-gateway: " << base::printable(line) << '\n' << std::flush;
 }
 
 int run_in_real_time(const Options& options, const image::Image& image, std::ostream& out,

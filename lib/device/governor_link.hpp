@@ -13,7 +13,8 @@ namespace cgw::device {
 // The five states of the manual's chapter 3 (D50).
 enum class GatewayState : std::uint8_t { undefined, init, pre_operational, operational, stopped };
 
-std::string_view to_text(GatewayState state);  // "Pre-Operational", …
+// "Pre-Operational", …
+std::string_view to_text(GatewayState state);
 
 // Governor to gateway: commands of the state machine (manual, chapter 3).
 enum class GovernorCommand : std::uint8_t { undefined, init, pre_operational };

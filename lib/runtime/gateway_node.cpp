@@ -20,8 +20,8 @@ Fault overflow_fault(Side side) {
 }  // namespace
 
 GatewayNode::GatewayNode(const image::Image& image, Connection can1, Connection can2, std::uint8_t boot,
-                         Events& events, Time steady_now)
-    : events_(&events), clock_(steady_now), image_(&image) {
+                         Events& events)
+    : events_(&events), image_(&image) {
     end(Side::can1).view.name = can1.name;
     end(Side::can2).view.name = can2.name;
     end(Side::can1).connection = std::move(can1);
@@ -39,6 +39,12 @@ GatewayNode::GatewayNode(const image::Image& image, Connection can1, Connection 
 
 std::optional<std::uint32_t> GatewayNode::bit_rate(Side side) const {
     return channel_on(side) ? end(side).connection.channel->bit_rate() : std::nullopt;
+}
+
+void GatewayNode::clear_errors(Time steady_now) {
+    service({}, steady_now);
+    link_.clear_errors(now_);
+    link_deadline_ = link_.poll(now_);
 }
 
 Diagnosis GatewayNode::diagnosis() const {
@@ -82,6 +88,10 @@ Time GatewayNode::deadline() const {
 // never goes backwards. After every service of a channel the gateway is asked again, which is when frames
 // that had no room are offered anew.
 void GatewayNode::service(std::span<const pollfd> entries, Time steady_now) {
+    if (!started_) {
+        started_ = true;
+        clock_ = RunClock(steady_now);
+    }
     now_ = clock_.at(steady_now);
     if (clock_.left_out() != 0) {
         events_->left_out(clock_.left_out());
@@ -101,7 +111,9 @@ void GatewayNode::serve(Side side, std::span<const pollfd> entries, std::size_t&
         return;
     }
     media::Channel& channel = *end(side).connection.channel;
-    if (entries[position++].revents != 0 || channel.deadline() <= steady_now) {
+    const bool ready = position < entries.size() && entries[position].revents != 0;
+    ++position;
+    if (ready || channel.deadline() <= steady_now) {
         channel.service(steady_now, listeners_[static_cast<std::size_t>(side)]);
     }
 }
@@ -124,12 +136,9 @@ void GatewayNode::take_can1(const frame::Frame& frame, Time now) {
 }
 
 void GatewayNode::hear_refusal() {
-    const link::Answer before = answer_;
-    answer_ = link_.answer();
-    const link::Refusal& refusal = link_.refusal();
-    const bool reason = refusal.incomplete || refusal.received != refusal.expected.value;
-    if (answer_ == link::Answer::refused && before != answer_ && reason) {
-        events_->governor_refused(refusal);
+    if (link_.refusals() != refusals_) {
+        refusals_ = link_.refusals();
+        events_->governor_refused(link_.refusal());
     }
 }
 

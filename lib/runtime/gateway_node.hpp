@@ -28,12 +28,14 @@ class GatewayNode final : public media::Source {
     // `boot` differs from the number of the run before, so that a governor notices the restart. Image and
     // `events` outlive the node.
     GatewayNode(const image::Image& image, Connection can1, Connection can2, std::uint8_t boot,
-                Events& events, Time steady_now);
+                Events& events);
 
     // Why the gateway does not take the image; ok when it runs.
     device::OpenStatus status() const { return status_; }
 
     device::Gateway& gateway() { return gateway_; }
+    // "Clear errors", as a service tool at the gateway does (GWM 9.1); the governor's are cleared with them.
+    void clear_errors(Time steady_now);
     Diagnosis diagnosis() const;
     // Bits per second, as far as the connection knows.
     std::optional<std::uint32_t> bit_rate(Side side) const;
@@ -86,8 +88,9 @@ class GatewayNode final : public media::Source {
     void hear_refusal();
 
     Events* events_;
-    RunClock clock_;
-    Time now_ = 0;  // the gateway's
+    bool started_ = false;
+    RunClock clock_{0};  // begins with the first service()
+    Time now_ = 0;       // the gateway's
     std::array<End, 2> ends_;
     Port can1_port_{*this, Side::can1};
     Port can2_port_{*this, Side::can2};
@@ -100,7 +103,7 @@ class GatewayNode final : public media::Source {
     std::optional<SimulatedCan1> simulated_;
     device::OpenStatus status_ = device::OpenStatus::ok;
     device::GatewayStatus told_;
-    link::Answer answer_ = link::Answer::none;
+    unsigned refusals_ = 0;  // told already
     Time gateway_deadline_ = 0;
     Time link_deadline_ = 0;
     std::array<std::optional<Time>, 32> heard_{};  // when a governor, by its node number, last talked to us

@@ -135,8 +135,7 @@ Ending Run::execute() {
         return Ending::environment;
     }
     const auto boot = static_cast<std::uint8_t>(media::wall_clock_now() / second);
-    node_ = std::make_unique<GatewayNode>(image_, std::move(can1), std::move(can2), boot, *this,
-                                          media::steady_now());
+    node_ = std::make_unique<GatewayNode>(image_, std::move(can1), std::move(can2), boot, *this);
     if (node_->status() != device::OpenStatus::ok) {
         output_.complain(fmt::format("the configuration is refused: {}", device::to_text(node_->status())));
         return Ending::refused;
@@ -145,7 +144,8 @@ Ending Run::execute() {
         node_->gateway().restore(keeper_->memory()->sentinels());
     }
     // From here on a signal is a wish, also while the last files are written.
-    media::Signals signals({SIGINT, SIGTERM, SIGHUP, SIGUSR1}, [this](int number) { take_signal(number); });
+    media::Signals signals({SIGINT, SIGTERM, SIGHUP, SIGUSR1, SIGUSR2},
+                           [this](int number) { take_signal(number); });
     introduce();
     loop(signals);
     finish();
@@ -187,6 +187,11 @@ void Run::loop(media::Signals& signals) {
 void Run::take_signal(int number) {
     if (number == SIGUSR1) {
         output_.show(status_page(node_->diagnosis()));
+        return;
+    }
+    if (number == SIGUSR2) {
+        say("clear errors (SIGUSR2)");
+        node_->clear_errors(loop_.now());
         return;
     }
     why_ended_ = signal_text(number);

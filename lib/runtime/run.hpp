@@ -35,7 +35,8 @@ enum class Ending {
     environment,  // an interface is missing, a file cannot be read, or at the end not be written
 };
 
-// Takes the signals named above and SIGUSR1 while it runs. One run at a time.
+// Takes the signals named above while it runs, SIGUSR1 (shows the measurements) and SIGUSR2 (clears errors).
+// One run at a time.
 Ending run(const image::Image& image, const Settings& settings, const Output& output);
 
 // First bytes of the image's configuration id in hexadecimal digits, as everywhere.

@@ -6,6 +6,7 @@
 
 #include "base/utf8.hpp"
 #include "base/wrap.hpp"
+#include "runtime/event_lines.hpp"
 #include "runtime/measurements.hpp"
 
 namespace cgw::runtime {

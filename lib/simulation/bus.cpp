@@ -118,8 +118,7 @@ void Bus::finish_frame() {
 Time Bus::next_event() const {
     Time next = sender_ == nullptr ? canopen::never : frame_end_;
     for (const std::unique_ptr<Node>& node : nodes_) {
-        const bool waits = node->on_line() && sender_ == nullptr && !node->queue.empty();
-        next = std::min(next, waits ? now_ : node->deadline);
+        next = std::min(next, node->deadline);
     }
     return next;
 }

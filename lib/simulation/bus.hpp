@@ -58,11 +58,9 @@ class Bus {
     // Runs through everything that happens up to and including `end`.
     void run_until(Time end);
 
-    // When run_until() will have something to do, not before now(); a frame sent since the last run counts as
-    // now.
-    Time next_event() const;
-
     Time now() const { return now_; }
+    // When something happens next: a frame is over, or a participant's deadline comes.
+    Time next_event() const;
     std::uint64_t frames() const { return frames_; }
     Time busy_time() const { return busy_time_; }  // microseconds with a frame on the bus
 
@@ -85,7 +83,6 @@ class Bus {
     void poll_all();
     void start_frame();
     void finish_frame();
-
     Time bit_time_;  // microseconds
     bool connected_ = true;
     Time now_ = 0;

@@ -43,6 +43,7 @@ TEST_F(GatewayDisplayValues, shows_the_number_of_a_parameter_without_a_name) {
 
 TEST_F(GatewayDisplayValues, names_states_and_pdos) {
     EXPECT_EQ(to_text(canopen::NmtState::pre_operational), "Pre-Operational");
+    EXPECT_EQ(to_text(device::GatewayState::undefined), "Undefined");
     EXPECT_EQ(pdo_text(image_.pdo(0)), "TPDO1");
     EXPECT_EQ(pdo_text(image_.pdo(19)), "RPDO4");
 }
