@@ -8,6 +8,7 @@
 #include "canopen/protocol.hpp"
 #include "device/governor_link.hpp"
 #include "image/image.hpp"
+#include "link/gateway_end.hpp"
 
 namespace cgw::simulation {
 
@@ -15,6 +16,8 @@ inline constexpr std::size_t line_width = 80;
 
 std::string_view to_text(canopen::NmtState state);
 std::string_view to_text(device::GatewayState state);
+// "start", "reset-node", …; "" for what is no command.
+std::string_view to_text(canopen::NmtCommand command);
 
 // At most `width` columns of UTF-8 text, cut off with "..." when there is more.
 std::string clipped(std::string_view text, std::size_t width);
@@ -25,5 +28,9 @@ std::string parameter_text(const image::Image& image, std::uint16_t number);
 std::string value_text(const image::Image& image, std::uint16_t number, std::uint16_t word);
 // `TPDO4`, `RPDO1`.
 std::string pdo_text(const image::Pdo& pdo);
+
+// Why the gateway refused the governor's configuration: "main cycles of TPDO4: 2 at the governor, 1 at the
+// gateway".
+std::string refusal_text(const link::Refusal& refusal);
 
 }  // namespace cgw::simulation
