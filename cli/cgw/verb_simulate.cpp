@@ -144,8 +144,8 @@ struct Configuration {
 // Exit code; says on stderr what is wrong with the file.
 int load(const std::string& path, bool color, Configuration& configuration) {
     configuration.file = driver::check_file(path);
-    report_findings(configuration.file, color);
     if (!configuration.file.valid()) {
+        report_findings(configuration.file, color);
         return exit_code_of(configuration.file);
     }
     base::Result<base::Bytes> bytes = driver::image_bytes(configuration.file);

@@ -249,14 +249,10 @@ std::string sensor_cannot_be(const image::Image& image, const Step& step) {
     if (value >= least && value <= greatest) {
         return "";
     }
-    image::Label label;
-    const bool has_unit = (image.find_label(number_of(step), label) && !label.unit.empty());
-    const std::string unit = !simulation::has_scaling(image, number_of(step)) ? " % of its range"
-                             : has_unit                                       ? fmt::format(" {}", label.unit)
-                                                                              : "";
-    return fmt::format("{} cannot be {}, it reaches from {} to {}{}",
+    const std::string_view unit = simulation::unit_text(image, number_of(step));
+    return fmt::format("{} cannot be {}, it reaches from {} to {}{}{}",
                        simulation::parameter_text(image, number_of(step)), base::to_text(value),
-                       base::to_text(least), base::to_text(greatest), unit);
+                       base::to_text(least), base::to_text(greatest), unit.empty() ? "" : " ", unit);
 }
 
 std::string value_too_long(const image::Image&, const Step& step) {

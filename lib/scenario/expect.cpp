@@ -149,10 +149,8 @@ Outcome expect_no_error(Run& run, const Step& step) {
 Outcome expect_word(Run& run, const Step& step) {
     const image::Image& image = plant_of(run).image();
     const auto number = static_cast<std::uint16_t>(step.subject().integer);
-    image::Label label;
-    const bool scaled = simulation::has_scaling(image, number);
-    const std::string_view unit = !scaled ? "% of range" : image.find_label(number, label) ? label.unit : "";
-    Outcome outcome{fmt::format("{} {}", simulation::parameter_text(image, number), range_text(step, unit))};
+    Outcome outcome{fmt::format("{} {}", simulation::parameter_text(image, number),
+                                range_text(step, simulation::unit_text(image, number)))};
     const auto words = simulation::received_words(plant_of(run).node(), image);
     const auto found = words.find(number);
     if (found == words.end()) {

@@ -45,6 +45,7 @@ void Run::take_steps() {
         commentary_.tell(step.action->expects ? EventKind::expected : EventKind::step,
                          outcome.met ? outcome.text : fmt::format("{}: {}", outcome.text, outcome.instead),
                          !outcome.met);
+        commentary_.poll(installation_->now());
     }
 }
 

@@ -148,18 +148,24 @@ std::string parameter_text(const image::Image& image, std::uint16_t number) {
     return fmt::format("{}", number);
 }
 
-std::string value_text(const image::Image& image, std::uint16_t number, std::uint16_t word) {
+std::string_view unit_text(const image::Image& image, std::uint16_t number) {
     if (!has_scaling(image, number)) {
-        return fmt::format("{:.1f} % of range", scale_of(image, number, 0, 100).to_engineering(word));
+        return "% of range";
     }
-    const Scale scale = scale_of(image, number, 0, 100);
-    const int digits = decimals(std::abs(scale.external_maximum - scale.external_minimum));
-    std::string text = fmt::format("{:.{}f}", scale.to_engineering(word), digits);
     image::Label label;
     if (image.find_label(number, label) && !label.unit.empty()) {
-        text += fmt::format(" {}", label.unit);
+        return label.unit;
     }
-    return text;
+    return facts::is_sensor(number) && image.find_label(facts::measurement_of(number), label) ? label.unit
+                                                                                              : "";
+}
+
+std::string value_text(const image::Image& image, std::uint16_t number, std::uint16_t word) {
+    const Scale scale = scale_of(image, number, 0, 100);
+    const int digits =
+        has_scaling(image, number) ? decimals(std::abs(scale.external_maximum - scale.external_minimum)) : 1;
+    const std::string_view unit = unit_text(image, number);
+    return fmt::format("{:.{}f}{}{}", scale.to_engineering(word), digits, unit.empty() ? "" : " ", unit);
 }
 
 std::string pdo_text(const image::Pdo& pdo) {

@@ -26,6 +26,9 @@ std::string clipped(std::string_view text, std::size_t width);
 std::string parameter_text(const image::Image& image, std::uint16_t number);
 // `1500 1/min`; without scaling the part of the internal range.
 std::string value_text(const image::Image& image, std::uint16_t number, std::uint16_t word);
+// "1/min", "% of range" without scaling; "" where the image knows none. A sensor without a unit of its own
+// has that of its measurement, as with its scaling.
+std::string_view unit_text(const image::Image& image, std::uint16_t number);
 // `TPDO4`, `RPDO1`.
 std::string pdo_text(const image::Pdo& pdo);
 
