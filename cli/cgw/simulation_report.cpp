@@ -87,7 +87,7 @@ std::string summary(scenario::Run& run, bool complete) {
                     ? std::string("interrupted\n")
                     : fmt::format("interrupted after {} of {} steps\n", run.count().steps, run.steps());
     }
-    text += fmt::format("{:.3f} s, gateway {}; {}; {}\n", static_cast<double>(plant.now()) / 1e6,
+    text += fmt::format("{:.3f} s, gateway {}\n{}; {}\n", static_cast<double>(plant.now()) / 1e6,
                         simulation::to_text(plant.gateway().state()), bus_text("CAN1", plant.can1()),
                         bus_text("CAN2", plant.can2()));
     return text + verdict(run);

@@ -17,7 +17,7 @@ namespace cgw::scenario {
 using canopen::Time;
 
 inline constexpr int scenario_format = 1;
-inline constexpr std::size_t maximum_steps = 2'000;
+inline constexpr std::size_t maximum_steps = 1'000;
 inline constexpr std::int64_t longest_duration = 30 * 86'400;  // s
 
 struct Action;  // actions.hpp

@@ -13,8 +13,8 @@ void read_and_run(const std::string& text) {
     bind(scenario, test::genset(), findings);
     if (!findings.has_errors()) {
         simulation::Installation installation(test::genset());
-        scenario::Run run(installation, &scenario, 300'000, [](const Event&) {});
-        run.advance(300'000);
+        scenario::Run run(installation, &scenario, 100'000, [](const Event&) {});
+        run.advance(100'000);
     }
 }
 
@@ -31,7 +31,7 @@ TEST(ScenarioMutations, of_samples_are_survived) {
         const std::string original =
             test::read_text(std::string(CGW_SAMPLES) + "/scenarios/" + name + ".toml");
         ASSERT_FALSE(original.empty());
-        for (int round = 0; round < 100; ++round) {
+        for (int round = 0; round < 50; ++round) {
             std::string text = original;
             for (std::size_t i = 0; i <= below(3); ++i) {
                 text.replace(below(text.size()), below(4), pieces[below(std::size(pieces))]);
@@ -42,7 +42,7 @@ TEST(ScenarioMutations, of_samples_are_survived) {
             read_and_run(text);
         }
     }
-    EXPECT_GT(sound, 5U);  // some mutations only move a number: these run
+    EXPECT_GT(sound, 2U);  // some mutations only move a number: these run
 }
 
 TEST(ScenarioMutations, random_bytes_are_findings) {

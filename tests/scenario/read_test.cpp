@@ -160,7 +160,7 @@ TEST(ScenarioSteps, are_not_without_number) {
         steps += "{at=1,reset=\"gateway\"},\n";
     }
     EXPECT_EQ(findings_in(test::scenario_text(steps)),
-              "2004:1: key-value: the scenario has 2001 steps, more than 2000\n");
+              "1004:1: key-value: the scenario has 1001 steps, more than 1000\n");
 }
 
 }  // namespace

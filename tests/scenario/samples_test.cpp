@@ -76,11 +76,9 @@ TEST_P(ScenarioSamples, meet_their_expectations_and_give_the_same_log_every_time
     const Told whole = told(file_.scenario.duration);
     EXPECT_EQ(whole.failed, 0U) << whole.events;
     EXPECT_GE(whole.expectations, 5U);
-    for (const Time slice : {Time{7'301}, Time{1'000'003}}) {
-        const Told cut = told(slice);
-        EXPECT_EQ(cut.events, whole.events) << slice;
-        EXPECT_TRUE(cut.log == whole.log) << slice;
-    }
+    const Told cut = told(7'301);
+    EXPECT_EQ(cut.events, whole.events);
+    EXPECT_TRUE(cut.log == whole.log);
     const auto frames = std::count(whole.log.begin(), whole.log.end(), '\n');
     const auto digest =
         base::sha256(std::span(reinterpret_cast<const std::uint8_t*>(whole.log.data()), whole.log.size()));
