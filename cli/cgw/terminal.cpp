@@ -31,6 +31,11 @@ bool is_terminal(std::FILE* stream) {
     return ::isatty(::fileno(stream)) != 0;
 }
 
+bool is_dumb_terminal() {
+    const char* terminal = std::getenv("TERM");
+    return terminal != nullptr && std::string_view(terminal) == "dumb";
+}
+
 std::vector<Word> color_words() {
     return {{"auto", "on a terminal"}, {"always", ""}, {"never", ""}};
 }
@@ -41,9 +46,7 @@ bool use_color(const Arguments& arguments, std::FILE* stream) {
         return when == "always";
     }
     const char* no_color = std::getenv("NO_COLOR");
-    const char* terminal = std::getenv("TERM");
-    const bool dumb = terminal != nullptr && std::string_view(terminal) == "dumb";
-    return (no_color == nullptr || *no_color == '\0') && !dumb && is_terminal(stream);
+    return (no_color == nullptr || *no_color == '\0') && !is_dumb_terminal() && is_terminal(stream);
 }
 
 void report_findings(const driver::CheckedFile& file, bool color) {

@@ -19,6 +19,8 @@ void print_error(std::string_view line);  // "cgw: line" on stderr
 bool use_color(const Arguments& arguments, std::FILE* stream);
 
 bool is_terminal(std::FILE* stream);
+// One that cannot move its cursor: TERM=dumb.
+bool is_dumb_terminal();
 
 // Findings of a verb whose product goes elsewhere: for people, on stderr, nothing when there are none.
 // `color`: use_color(…, stderr).

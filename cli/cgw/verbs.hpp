@@ -18,5 +18,6 @@ extern const Verb clone_verb;
 extern const Verb image_verify_verb;
 extern const Verb image_inspect_verb;
 extern const Verb hub_verb;
+extern const Verb simulate_verb;
 
 }  // namespace cgw::cli

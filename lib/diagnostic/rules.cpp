@@ -20,6 +20,7 @@ std::string_view language_of(Example example) {
             return "";
         case Example::parameter_file:
         case Example::copied_file:
+        case Example::scenario:
             return "toml";
         case Example::table:
         case Example::table_rows:
@@ -102,6 +103,11 @@ const Rule* const table[] = {
     &table_row_skipped,
     &clone_identifier,
     &table_row_absent,
+    &step_action,
+    &step_time,
+    &step_subject,
+    &step_value,
+    &step_answer,
 };
 
 }  // namespace

@@ -1,6 +1,6 @@
 // Every finding cgw can make, one row each. A code is never reused; a name never changes.
 // E00 file and TOML · E01 keys, parameters, values · E02 what makes the plant fail · E03 warnings · E04
-// notes · E05 tables read in and files copied. The rows stand in one source file per group; what explains,
+// notes · E05 tables read in and files copied · E06 scenario files. The rows stand in one source file per group; what explains,
 // lists or documents findings reads them.
 #pragma once
 
@@ -20,6 +20,7 @@ enum class Example {
     copied_file,     // the same, of a file that is then copied
     table,           // a whole printed table of the governor
     table_rows,      // rows of one, on top of a table that prints every row of concern
+    scenario,        // steps of a scenario of samples/genset.toml that lasts 10 s
 };
 
 // The language of such an example, as Markdown names it behind a fence: "toml", "text".
@@ -125,6 +126,13 @@ CGW_RULE(table_empty);
 CGW_RULE(table_row_skipped);
 CGW_RULE(clone_identifier);
 CGW_RULE(table_row_absent);
+
+// E06: scenario files
+CGW_RULE(step_action);
+CGW_RULE(step_time);
+CGW_RULE(step_subject);
+CGW_RULE(step_value);
+CGW_RULE(step_answer);
 
 #undef CGW_RULE
 

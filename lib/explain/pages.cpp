@@ -121,7 +121,8 @@ std::string checks_page(const Catalogue&) {
         "E0507) "
         "are whole\n"
         "tables, of E0509 rows of a table that is complete otherwise; that of E0508 is a file that is "
-        "copied.\n\n";
+        "copied.\n"
+        "Those of E06 are steps of a [scenario](scenarios.md) of `samples/genset.toml` that lasts 10 s.\n\n";
     std::string list = render_markdown(check_list(), heading_of_group);
     for (const Rule* rule : diagnostic::all_rules()) {
         list = replaced(list, fmt::format("| {} |", rule->code),

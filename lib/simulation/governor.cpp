@@ -64,7 +64,9 @@ Time SimulatedGovernor::poll(Time now) {
     next_cycle_ += cycle_;
     ++main_cycles_;
     run_engine();
-    link_.main_cycle(data(), 0, now);
+    const device::GovernorData delivered = data();
+    errors_ = delivered.errors;
+    link_.main_cycle(delivered, cycle_flags(), now);
     return next_cycle_;
 }
 
@@ -86,6 +88,11 @@ void SimulatedGovernor::run_engine() {
         engine.ambient = scale_of(*image_, ambient_sensor, 0, 2000).to_engineering(ambient.word);
     }
     engine_.advance(static_cast<double>(cycle_) / 1e6, engine);
+}
+
+std::uint8_t SimulatedGovernor::cycle_flags() const {
+    return static_cast<std::uint8_t>((can_bus_error_ ? link::cycle::can_bus_error : 0) |
+                                     (can_comm_error_ ? link::cycle::can_comm_error : 0));
 }
 
 // A sensor's value as a percentage of its range, whatever its unit.

@@ -33,8 +33,16 @@ class SimulatedGovernor final : public link::GovernorListener, public Participan
     // "Clear errors", which also allows three more attempts at initialisation.
     void clear_errors() { link_.clear_errors(); }
 
+    // Trouble of its own CAN controller, its 3070 and 3071; the gateway shows 12414 and 12415.
+    void report_can_bus_error(bool present) { can_bus_error_ = present; }
+    void report_can_comm_error(bool present) { can_comm_error_ = present; }
+
+    // The governor's share of 2000h:1..6, as last sent.
+    const std::array<std::uint16_t, device::error_words>& errors() const { return errors_; }
+
   private:
     void run_engine();
+    std::uint8_t cycle_flags() const;
     double percentage(std::uint16_t sensor_number, double substitute) const;
     device::GovernorData data() const;
     void fill_analogue(device::GovernorData& data) const;
@@ -47,6 +55,9 @@ class SimulatedGovernor final : public link::GovernorListener, public Participan
     Time next_cycle_ = 0;
     std::uint64_t main_cycles_ = 0;
     std::uint8_t boot_ = 1;
+    bool can_bus_error_ = false;
+    bool can_comm_error_ = false;
+    std::array<std::uint16_t, device::error_words> errors_{};
 };
 
 }  // namespace cgw::simulation

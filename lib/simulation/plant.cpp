@@ -18,10 +18,33 @@ Plant::Plant(const image::Image& gateway, const image::Image& governor)
 void Plant::reset_gateway() {
     gateway_.link.open(*gateway_image_, ++gateway_boot_);
     status_ = gateway_.gateway.open(*gateway_image_, now());
+    for (const device::Fault cause : causes_) {
+        report(cause, true);
+    }
 }
 
 void Plant::reset_governor() {
     governor_.reset();
+}
+
+void Plant::report(device::Fault fault, bool present) {
+    if (present) {
+        causes_.insert(fault);
+    } else {
+        causes_.erase(fault);
+    }
+    if (fault == device::Fault::governor_can_bus) {
+        governor_.report_can_bus_error(present);
+    } else if (fault == device::Fault::governor_can_comm) {
+        governor_.report_can_comm_error(present);
+    } else {
+        gateway_.gateway.report(fault, present, now());
+    }
+}
+
+void Plant::connect(BusName name, bool connected) {
+    bus(name).connect(connected);
+    report(name == BusName::can1 ? device::Fault::can1_bus : device::Fault::can2_bus, !connected);
 }
 
 }  // namespace cgw::simulation

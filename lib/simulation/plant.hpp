@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <set>
 
 #include "device/gateway.hpp"
 #include "image/image.hpp"
@@ -39,6 +40,15 @@ class Plant {
     void reset_gateway();
     void reset_governor();
 
+    // A cause of an error that the plant's surroundings bring about: there, or gone (simulation/faults.hpp).
+    // One that is there is there after a reset as well.
+    void report(device::Fault fault, bool present);
+
+    // Cuts a bus, or mends it. Its controller at the gateway says so: 3070 or 3072.
+    enum class BusName : std::uint8_t { can1, can2 };
+    Bus& bus(BusName name) { return name == BusName::can1 ? can1_ : can2_; }
+    void connect(BusName name, bool connected);
+
   private:
     // The gateway on CAN2, and its governor link on CAN1.
     struct GatewayNode final : Participant {
@@ -68,6 +78,7 @@ class Plant {
     SimulatedGovernor governor_;
     GatewayNode gateway_;
     std::uint8_t gateway_boot_ = 0;
+    std::set<device::Fault> causes_;
     device::OpenStatus status_;
 };
 

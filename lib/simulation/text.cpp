@@ -10,6 +10,58 @@
 namespace cgw::simulation {
 namespace {
 
+using link::ItemKind;
+
+// What an item is of: nothing, TPDO4..16, a word of those, RPDO1..4, a place in a list.
+enum class ItemOf : std::uint8_t { plant, tpdo, word, rpdo, list };
+
+struct ItemText {
+    ItemKind kind;
+    std::string_view text;
+    ItemOf of = ItemOf::plant;
+};
+
+constexpr ItemText item_texts[] = {
+    {ItemKind::version, "format of the list"},
+    {ItemKind::governor_node, "401 of the governor"},
+    {ItemKind::gateway_node, "403 of the governor"},
+    {ItemKind::send_errors, "14401"},
+    {ItemKind::send_status, "14402"},
+    {ItemKind::main_cycle, "main cycle"},
+    {ItemKind::assignment, "parameter in", ItemOf::word},
+    {ItemKind::cycles, "main cycles of", ItemOf::tpdo},
+    {ItemKind::monitoring, "monitoring cycles of", ItemOf::rpdo},
+    {ItemKind::switches, "number of switch functions"},
+    {ItemKind::switch_number, "switch function", ItemOf::list},
+    {ItemKind::switch_bit, "bit of switch function", ItemOf::list},
+    {ItemKind::sensors, "number of sensors"},
+    {ItemKind::sensor_number, "sensor", ItemOf::list},
+    {ItemKind::sensor_channel, "channel of sensor", ItemOf::list},
+};
+
+std::string item_text(const link::Item& item) {
+    const unsigned position = item.position;
+    for (const ItemText& row : item_texts) {
+        if (row.kind != item.kind) {
+            continue;
+        }
+        switch (row.of) {
+            case ItemOf::plant:
+                return std::string(row.text);
+            case ItemOf::tpdo:
+                return fmt::format("{} TPDO{}", row.text, facts::first_analogue_tpdo + position);
+            case ItemOf::word:
+                return fmt::format("{} word {} of TPDO{}", row.text, position % facts::words_per_pdo + 1,
+                                   facts::first_analogue_tpdo + position / facts::words_per_pdo);
+            case ItemOf::rpdo:
+                return fmt::format("{} RPDO{}", row.text, position + 1);
+            case ItemOf::list:
+                return fmt::format("{} {} of the list", row.text, position + 1);
+        }
+    }
+    return "unknown item";
+}
+
 bool continues(char byte) {
     return (static_cast<unsigned char>(byte) & 0xC0U) == 0x80U;
 }
@@ -38,6 +90,22 @@ std::string_view to_text(canopen::NmtState state) {
     return "unknown";
 }
 
+std::string_view to_text(canopen::NmtCommand command) {
+    switch (command) {
+        case canopen::NmtCommand::start:
+            return "start";
+        case canopen::NmtCommand::stop:
+            return "stop";
+        case canopen::NmtCommand::enter_pre_operational:
+            return "pre-operational";
+        case canopen::NmtCommand::reset_node:
+            return "reset-node";
+        case canopen::NmtCommand::reset_communication:
+            return "reset-communication";
+    }
+    return "";
+}
+
 std::string clipped(std::string_view text, std::size_t width) {
     std::size_t columns = 0;
     std::size_t cut = 0;  // where the text ends if "..." must follow
@@ -64,22 +132,35 @@ std::string parameter_text(const image::Image& image, std::uint16_t number) {
     return fmt::format("{}", number);
 }
 
-std::string value_text(const image::Image& image, std::uint16_t number, std::uint16_t word) {
+std::string_view unit_text(const image::Image& image, std::uint16_t number) {
     if (!has_scaling(image, number)) {
-        return fmt::format("{:.1f} % of range", scale_of(image, number, 0, 100).to_engineering(word));
+        return "% of range";
     }
-    const Scale scale = scale_of(image, number, 0, 100);
-    const int digits = decimals(std::abs(scale.external_maximum - scale.external_minimum));
-    std::string text = fmt::format("{:.{}f}", scale.to_engineering(word), digits);
     image::Label label;
     if (image.find_label(number, label) && !label.unit.empty()) {
-        text += fmt::format(" {}", label.unit);
+        return label.unit;
     }
-    return text;
+    return facts::is_sensor(number) && image.find_label(facts::measurement_of(number), label) ? label.unit
+                                                                                              : "";
+}
+
+std::string value_text(const image::Image& image, std::uint16_t number, std::uint16_t word) {
+    const Scale scale = scale_of(image, number, 0, 100);
+    const int digits =
+        has_scaling(image, number) ? decimals(std::abs(scale.external_maximum - scale.external_minimum)) : 1;
+    const std::string_view unit = unit_text(image, number);
+    return fmt::format("{:.{}f}{}{}", scale.to_engineering(word), digits, unit.empty() ? "" : " ", unit);
 }
 
 std::string pdo_text(const image::Pdo& pdo) {
     return base::pdo_name(!pdo.receive, pdo.number);
+}
+
+std::string refusal_text(const link::Refusal& refusal) {
+    return refusal.incomplete
+               ? "telegrams of the governor's configuration are missing"
+               : fmt::format("{}: {} at the governor, {} at the gateway", item_text(refusal.expected),
+                             refusal.received, refusal.expected.value);
 }
 
 }  // namespace cgw::simulation

@@ -8,6 +8,7 @@
 #include "check/findings_text.hpp"
 #include "check/overlay.hpp"
 #include "driver/check_file.hpp"
+#include "driver/scenario_file.hpp"
 #include "driver/tables.hpp"
 #include "emit/concerned.hpp"
 #include "support/scratch_directory.hpp"
@@ -77,6 +78,17 @@ diagnostic::Findings findings_in_table(const std::string& table, bool is_to_be_c
     return findings;
 }
 
+// What reading these steps finds, and looking up what they name in the sample.
+diagnostic::Findings findings_in_scenario(const std::string& steps) {
+    const CheckedFile plant = check_file(CGW_SAMPLES "/genset.toml");
+    const base::Result<base::Bytes> bytes = image_bytes(plant);
+    image::Image image;
+    EXPECT_EQ(image::Image::open(*bytes, image), image::Status::ok);
+    ScenarioFile file = read_scenario_text("example.toml", "format = 1\nduration = 10\n" + steps);
+    scenario::bind(file.scenario, image, file.findings);
+    return file.findings;
+}
+
 diagnostic::Findings findings_of(Example kind, std::string_view example) {
     switch (kind) {
         case Example::none:
@@ -89,6 +101,8 @@ diagnostic::Findings findings_of(Example kind, std::string_view example) {
             return findings_in_table(std::string(example), false);
         case Example::table_rows:
             return findings_in_table(with_rows(complete_table(Device::governor), example), true);
+        case Example::scenario:
+            return findings_in_scenario(std::string(example));
     }
     return {};
 }

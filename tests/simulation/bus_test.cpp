@@ -1,6 +1,7 @@
 #include "simulation/bus.hpp"
 
 #include "simulation/frame_time.hpp"
+#include "simulation/jammer.hpp"
 #include "support/recording_port.hpp"
 
 namespace cgw::simulation {
@@ -144,6 +145,74 @@ TEST(Bus, shows_every_frame_to_its_observers) {
     sender.plan.emplace_back(0, make_frame(0x100, {7}));
     bus.run_until(100'000);
     EXPECT_EQ(seen, (std::vector{make_frame(0x100, {7})}));
+}
+
+TEST(BusConnection, of_nobody_says_not_now_and_keeps_what_waits) {
+    Bus bus(500);
+    Node sender(bus);
+    Node listener(bus);
+    std::size_t observed = 0;
+    bus.observe([&observed](const frame::Frame&, Time) { ++observed; });
+    sender.plan.emplace_back(10, make_frame(0x100, {}));
+    sender.plan.emplace_back(10, make_frame(0x101, {}));
+    sender.plan.emplace_back(1'000, make_frame(0x102, {}));
+    bus.run_until(20);  // the first is on the wire, the second waits
+    bus.connect(false);
+    EXPECT_FALSE(bus.connected());
+    bus.run_until(10'000);
+    EXPECT_TRUE(listener.heard.empty());
+    EXPECT_EQ(observed, 0U);
+    EXPECT_EQ(sender.accepted, 2U);
+    bus.connect(true);
+    bus.run_until(20'000);
+    ASSERT_EQ(listener.heard.size(), 1U);
+    EXPECT_EQ(listener.heard[0].second.id, 0x101U);
+    EXPECT_EQ(bus.frames(), 1U);
+}
+
+TEST(BusConnection, of_one_participant_leaves_the_others_alone) {
+    Bus bus(500);
+    Node sender(bus);
+    Node listener(bus);
+    Node cut(bus);
+    bus.connect(cut, false);
+    sender.plan.emplace_back(10, make_frame(0x100, {}));
+    cut.plan.emplace_back(10, make_frame(0x080, {}));
+    bus.run_until(1'000);
+    EXPECT_EQ(listener.heard.size(), 1U);
+    EXPECT_TRUE(cut.heard.empty());
+    EXPECT_EQ(cut.accepted, 0U);
+    bus.connect(cut, true);
+    sender.plan.emplace_back(2'000, make_frame(0x101, {}));
+    bus.run_until(3'000);
+    EXPECT_EQ(cut.heard.size(), 1U);
+}
+
+TEST(BusConnection, lost_by_the_sender_loses_the_frame_on_the_wire) {
+    Bus bus(500);
+    Node sender(bus);
+    Node listener(bus);
+    sender.plan.emplace_back(10, make_frame(0x100, {}));
+    bus.run_until(20);
+    bus.connect(sender, false);
+    bus.run_until(1'000);
+    EXPECT_TRUE(listener.heard.empty());
+}
+
+TEST(BusJammer, fills_the_bus_from_start_to_end_and_no_longer) {
+    Bus bus(500);
+    Node listener(bus);
+    Jammer jammer(bus);
+    const frame::Frame frame = make_frame(0x001, {0, 0, 0, 0, 0, 0, 0, 0});
+    bus.run_until(10'000);
+    EXPECT_TRUE(listener.heard.empty());
+    jammer.start(frame, 20'000);
+    bus.run_until(40'000);
+    const Time length = Time{bits_on_wire(frame)} * 2;
+    EXPECT_EQ(listener.heard.front().first, 10'000 + length);
+    EXPECT_GE(listener.heard.back().first, 20'000U);
+    EXPECT_LT(listener.heard.back().first, 20'000 + 2 * length);
+    EXPECT_EQ(bus.busy_time(), listener.heard.size() * length);
 }
 
 }  // namespace

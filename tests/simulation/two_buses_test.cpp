@@ -1,5 +1,6 @@
 // CAN1 and CAN2 together: resets, refused configurations, and one bus that leaves the other alone.
 #include "media/candump.hpp"
+#include "simulation/jammer.hpp"
 #include "simulation/master_node.hpp"
 #include "simulation/plant.hpp"
 #include "support/recording_port.hpp"
@@ -12,21 +13,6 @@ using canopen::NmtCommand;
 using device::GatewayState;
 
 constexpr Time second = 1'000'000;
-
-// Sends as fast as the bus carries it.
-class Jammer final : public Participant {
-  public:
-    Jammer(Bus& bus, const frame::Frame& frame) : port_(&bus.attach(*this)), frame_(frame) {}
-    Time poll(Time /*now*/) override {
-        while (port_->send(frame_)) {
-        }
-        return canopen::never;
-    }
-
-  private:
-    frame::FramePort* port_;
-    frame::Frame frame_;
-};
 
 class TwoBuses : public testing::Test {
   protected:
@@ -100,7 +86,8 @@ TEST_F(TwoBuses, leave_can1_alone_when_can2_is_saturated) {
         plant.can1().observe([&log](const frame::Frame& frame, Time now) { log.record(frame, now); });
         std::optional<Jammer> jammer;
         if (saturated) {
-            jammer.emplace(plant.can2(), test::make_frame(0x001, {0, 0, 0, 0, 0, 0, 0, 0}));
+            jammer.emplace(plant.can2());
+            jammer->start(test::make_frame(0x001, {0, 0, 0, 0, 0, 0, 0, 0}), canopen::never);
         }
         plant.run_until(5 * second);
         EXPECT_EQ(plant.gateway().state(), GatewayState::pre_operational);
@@ -139,7 +126,8 @@ TEST_F(TwoBuses, keep_heartbeats_and_answers_in_time_when_can1_is_saturated) {
             frame::Frame frame =
                 test::make_frame(0x1FFFFFFF, {0, 0, 0, 0, 0, 0, 0, 0});  // gives way to the link
             frame.extended = true;
-            jammer.emplace(plant.can1(), frame);
+            jammer.emplace(plant.can1());
+            jammer->start(frame, canopen::never);
         }
         const Time begin = plant.now();
         plant.run_until(begin + 5 * second);
