@@ -13,7 +13,6 @@ namespace {
 using Kind = Question::Kind;
 
 constexpr std::size_t most_shown = 25;  // differences; the JSON document has all
-constexpr std::size_t continuation = 4;
 
 // Wrapped, further lines further in.
 std::string paragraph(std::string_view first, std::string_view text) {
@@ -26,6 +25,11 @@ std::string paragraph(std::string_view first, std::string_view text) {
     return result;
 }
 
+bool is_about_content(DifferenceKind kind) {
+    return kind == DifferenceKind::value || kind == DifferenceKind::missing ||
+           kind == DifferenceKind::unexpected;
+}
+
 std::string side(std::string_view who, const Question& question, std::uint32_t value, std::uint8_t length) {
     const std::string meaning = meaning_of(question, value);
     return fmt::format("    {:<8}{}{}{}\n", who, value_text(value, length), meaning.empty() ? "" : "  ",
@@ -33,18 +37,17 @@ std::string side(std::string_view who, const Question& question, std::uint32_t v
 }
 
 std::string difference_text(const Subject& subject, const Question& question, const Difference& difference) {
-    std::string text = paragraph("", fmt::format("{} {}", question.object_text(), question.name));
+    const std::string separator = question.name.empty() ? "" : " ";
+    std::string text = paragraph("", question.object_text() + separator + question.name);
     if (difference.kind == DifferenceKind::value) {
         text += side("file", question, question.expected, question.length);
         text += side("device", question, *difference.value, difference.length);
     } else {
         text += paragraph("    ", sentence_of(question, difference));
     }
-    const bool about_content =
-        difference.kind == DifferenceKind::value || difference.kind == DifferenceKind::missing;
     const Sources sources =
         sources_of(question.index, question.sub_index, subject.settings, subject.catalogue);
-    if (about_content && !sources.text.empty()) {
+    if (is_about_content(difference.kind) && !sources.text.empty()) {
         text += paragraph("    from    ", sources.text);
     }
     return text;
@@ -100,26 +103,38 @@ std::string summary(const Subject& subject, const Verification& verification) {
     return text;
 }
 
+std::string agreement(const Subject& subject) {
+    std::string text = "\nThe device has the configuration of the file, as far as CANopen shows it.\n";
+    text +=
+        paragraph("- ",
+                  "not to be seen, and so not compared: which measurement of the same sign a word carries, "
+                  "bits and channels of switches and sensors, the HEINZMANN bus");
+    if (subject.wrote) {
+        text +=
+            paragraph("- ",
+                      "the EDS calls 2003h and 2004h writable (rww), and the device refuses to write them: "
+                      "that is as it should be (D29)");
+    }
+    return text;
+}
+
 std::string verdict(const Subject& subject, const Verification& verification) {
     const Result& result = verification.result();
     if (result.same()) {
-        std::string text = "\nThe device has the configuration of the file.\n";
-        if (subject.wrote) {
-            text += paragraph("",
-                              "The EDS calls 2003h and 2004h writable (rww), and the device refuses to write "
-                              "them: that is as it should be (D29).");
-        }
-        return text;
+        return agreement(subject);
     }
     if (result.ending != Ending::complete) {
         return {};
     }
-    return paragraph("\n",
-                     fmt::format("The device differs from the file in {} point{}.", result.differences.size(),
-                                 result.differences.size() == 1 ? "" : "s")) +
-           paragraph("",
-                     "A device takes a new configuration over when it is reset: save the parameters in "
-                     "governor and gateway, then reset both (GWM 7).");
+    std::string text = fmt::format("\nThe device differs from the file in {} point{}.\n",
+                                   result.differences.size(), result.differences.size() == 1 ? "" : "s");
+    if (std::any_of(result.differences.begin(), result.differences.end(),
+                    [](const Difference& difference) { return is_about_content(difference.kind); })) {
+        text += paragraph("- ",
+                          "a device takes a new configuration over when it is reset: save the parameters in "
+                          "governor and gateway, then reset both (GWM 7)");
+    }
+    return text;
 }
 
 std::string device_line(const Verification& verification) {

@@ -28,7 +28,7 @@ void name_parameter(const parameter::Row& row, const parameter::Settings& settin
     const double value = settings.of(row.device).value(row.number);
     sources.text += fmt::format(" {}", row.name);
     if (row.settable()) {
-        sources.text += fmt::format(" = {}", parameter::value_text(row, value));
+        sources.text += fmt::format("={}", parameter::value_text(row, value));
     }
     sources.parameters.push_back({&row, value});
 }

@@ -12,7 +12,7 @@ namespace cgw::live {
 
 struct Sources {
     std::string
-        text;  // "gateway 16404 CanOpTPDO5-16ID(0) = 0x282; assignment and …"; empty: fixed in the device
+        text;  // "gateway 16404 CanOpTPDO5-16ID(0)=0x282; assignment and …"; empty: fixed in the device
     // Those named by a number of their own, with their values in the file; not those within a range.
     struct Parameter {
         const parameter::Row* row = nullptr;
