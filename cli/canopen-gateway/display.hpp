@@ -8,11 +8,11 @@
 namespace cgw::gateway_cli {
 
 using base::abort_text;
+using device::to_text;
 using simulation::clipped;
 using simulation::line_width;
 using simulation::parameter_text;
 using simulation::pdo_text;
-using device::to_text;
 using simulation::to_text;
 using simulation::value_text;
 

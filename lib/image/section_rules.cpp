@@ -24,13 +24,15 @@ constexpr SectionRule rules[] = {
 };
 static_assert(std::size(rules) + 1 == section_ids);
 
+// Eight bytes each in firmware, where there are many of them.
 struct FieldRule {
-    SectionId section;
-    std::uint8_t offset;
-    std::uint8_t width;  // bytes: 1, 2 or 4
-    std::uint32_t minimum;
+    SectionId section : 4;
+    std::uint16_t offset : 9;
+    std::uint16_t width : 3;  // bytes: 1, 2 or 4
+    std::uint16_t minimum;
     std::uint32_t maximum;  // 0: reserved, or fixed at 0 in this minor
 };
+static_assert(sizeof(FieldRule) == 8);
 
 constexpr std::uint32_t maximum_start_up_delay_ms = 100'000;  // 400: 0..100 s
 constexpr std::uint32_t maximum_hzm_node = facts::maximum_hzm_node;

@@ -10,7 +10,6 @@
 
 namespace cgw::runtime {
 
-
 // The state, and each error that appeared or was cleared; an error that only sums up or repeats another one
 // (3074, 12421..12424) has no line of its own.
 std::vector<std::string> lines_of_change(const device::GatewayStatus& before,

@@ -13,6 +13,7 @@ namespace cgw::simulation {
 
 inline constexpr std::size_t line_width = 80;
 
+using device::to_text;  // of a GatewayState
 std::string_view to_text(canopen::NmtState state);
 // "start", "reset-node", …; "" for what is no command.
 std::string_view to_text(canopen::NmtCommand command);

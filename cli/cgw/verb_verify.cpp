@@ -1,0 +1,139 @@
+#include <fmt/format.h>
+
+#include "cli/cgw/exit_codes.hpp"
+#include "cli/cgw/shared_options.hpp"
+#include "cli/cgw/terminal.hpp"
+#include "cli/cgw/verbs.hpp"
+#include "driver/check_file.hpp"
+#include "driver/plant.hpp"
+#include "live/report.hpp"
+#include "media/open_channel.hpp"
+
+namespace cgw::cli {
+namespace {
+
+std::vector<Word> verify_format_words() {
+    std::vector<Word> words;
+    for (const live::Format& format : live::formats()) {
+        words.push_back({format.name, format.summary});
+    }
+    return words;
+}
+
+constexpr Option verify_options[] = {
+    parameter_file_option,
+    {.names = "--live",
+     .value = "CHANNEL",
+     .summary = "the CAN bus of the running device: hub:, socketcan:, slcan:",
+     .required = true},
+    {.names = "--read-only", .summary = "do not try whether the device refuses to be written"},
+    {.names = "--format",
+     .value = "FORMAT",
+     .summary = "form of the report",
+     .default_value = "human",
+     .words = verify_format_words},
+    color_option,
+};
+
+constexpr std::string_view verify_details =
+    "Reads every object of the configured EDS from the gateway with the node-ID of\n"
+    "FILE (427) and compares: who it is, values, lengths, what must be refused, and\n"
+    "what must not exist. Values that change while the device runs are compared by\n"
+    "type only. Nothing in the device is changed: what is written is the value just\n"
+    "read, and the device must refuse it. No NMT command is sent; one request is on\n"
+    "the bus at a time.\n"
+    "CHANNEL is hub:HOST:PORT[/BUS], socketcan:INTERFACE or slcan:TTY@KBIT.\n"
+    "Exit code 0 when the device has the configuration of FILE, 1 when it differs or\n"
+    "is another device, 3 when it cannot be reached or does not answer to the end.\n";
+
+int exit_code_of_ending(const live::Result& result) {
+    switch (result.ending) {
+        case live::Ending::complete:
+            return result.differences.empty() ? exit_fine : exit_findings;
+        case live::Ending::other_device:
+            return exit_findings;
+        case live::Ending::none:
+        case live::Ending::silent:
+        case live::Ending::unsendable:
+        case live::Ending::interrupted:
+            break;
+    }
+    return exit_environment;
+}
+
+bool names_a_kind(std::string_view channel) {
+    for (const media::ChannelKind& kind : media::channel_kinds()) {
+        if (channel.substr(0, channel.find(':')) == kind.name) {
+            return true;
+        }
+    }
+    return false;
+}
+
+// A line that is overwritten and vanishes at the end; nothing where standard error is no terminal.
+class Progress {
+  public:
+    void show(const live::Verification& verification) const {
+        if (shown_) {
+            fmt::print(stderr, "\r{} of {} questions, {} differences\x1b[K", verification.result().asked,
+                       verification.plan().size(), verification.result().differences.size());
+            std::fflush(stderr);
+        }
+    }
+    void clear() const {
+        if (shown_) {
+            fmt::print(stderr, "\r\x1b[K");
+        }
+    }
+
+  private:
+    bool shown_ = is_terminal(stderr);
+};
+
+int run_verify(const Arguments& arguments) {
+    auto channel = media::open_channel(arguments.value("--live"));
+    if (!channel) {
+        if (!names_a_kind(arguments.value("--live"))) {
+            throw UsageError("--live: " + channel.error().message);
+        }
+        print_error(channel.error().message);
+        return exit_environment;
+    }
+    const driver::CheckedFile file = driver::check_file(arguments.value("FILE"));
+    report_findings(file, use_color(arguments, stderr));
+    if (!file.valid()) {
+        return exit_code_of(file);
+    }
+    const auto plant = driver::Plant::make(file);
+    if (!plant) {
+        throw UsageError(plant.error().message);
+    }
+    const live::Subject subject{.path = file.path,
+                                .configuration_id = driver::short_configuration_id(file.settings),
+                                .channel = arguments.value("--live"),
+                                .wrote = !arguments.given("--read-only"),
+                                .settings = file.settings,
+                                .configuration = file.configuration,
+                                .catalogue = *file.catalogue};
+    const std::uint8_t node_id = file.configuration.node_id;
+    live::Verification verification(live::plan(plant->view().dictionary, node_id, {.write = subject.wrote}),
+                                    node_id, **channel);
+    const Progress progress;
+    const live::Connection connection =
+        live::run(**channel, verification, [&](const live::Verification& now) { progress.show(now); });
+    progress.clear();
+    for (const live::Format& format : live::formats()) {
+        if (format.name == arguments.value("--format") &&
+            !print(format.render(subject, verification, connection))) {
+            return exit_environment;
+        }
+    }
+    return exit_code_of_ending(verification.result());
+}
+
+}  // namespace
+
+const Verb verify_verb = {"verify", "compare a running gateway with a parameter file", verify_options,
+                          run_verify, verify_details};
+
+}  // namespace cgw::cli
