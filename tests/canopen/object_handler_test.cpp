@@ -45,7 +45,8 @@ class ObjectHandlers : public testing::Test {
             .add(0x2002, 0, DataType::unsigned16, Access::wo, 5, 0, 1);
     }
     frame::Frame answer(const std::vector<std::uint8_t>& request) {
-        SdoServer server(5, {table_.objects(), table_.values, &device_});
+        SdoServer server;
+        server.open(5, {table_.objects(), table_.values, &device_});
         server.receive(make_frame(0x605, request), &port_);
         const std::vector<frame::Frame> sent = port_.take();
         EXPECT_EQ(sent.size(), 1U);
@@ -114,7 +115,8 @@ TEST_F(ObjectHandlers, are_not_asked_about_plain_memory) {
 TEST(ObjectHandler, that_is_missing_leaves_its_objects_plain_memory) {
     test::Table table;
     table.add(0x1017, 0, DataType::unsigned16, Access::rw, 1000, 0, 1);
-    SdoServer server(5, {table.objects(), table.values});
+    SdoServer server;
+    server.open(5, {table.objects(), table.values});
     test::RecordingPort port;
     server.receive(make_frame(0x605, {0x2B, 0x17, 0x10, 0, 7, 0, 0, 0}), &port);
     EXPECT_EQ(port.take(), (std::vector{make_frame(0x585, {0x60, 0x17, 0x10, 0, 0, 0, 0, 0})}));
