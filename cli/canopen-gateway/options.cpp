@@ -155,6 +155,9 @@ std::string contradiction(const Options& options) {
         return fmt::format("{} is for real time: give --can1 or --can2 a CAN bus",
                            options.status ? "--status" : "--state");
     }
+    if (!options.state.empty() && options.state == options.log) {
+        return "--log and --state are the same file";
+    }
     return {};
 }
 
