@@ -7,6 +7,9 @@
 #include <string>
 #include <string_view>
 
+#include "cli/cgw/command.hpp"
+#include "cli/cgw/help.hpp"
+
 namespace cgw::gateway_cli {
 
 inline constexpr int exit_fine = 0;
@@ -36,5 +39,9 @@ inline constexpr std::uint64_t simulated_duration_us = 10'000'000;  // when --du
 bool parse_options(std::span<const char* const> arguments, Options& options, std::string& error);
 
 std::string help_text();
+
+// The same for man page and completion.
+const cli::Verb& command();
+std::span<const cli::ExitCodeText> exit_code_texts();
 
 }  // namespace cgw::gateway_cli

@@ -57,6 +57,8 @@ TEST(GatewayOptions, runs_in_real_time_with_a_can_bus_on_either_side) {
 TEST(GatewayOptions, refuses_what_does_not_go_together) {
     EXPECT_EQ(error_of({"--can2", "hub:localhost:1", "--master"}),
               "--master is for simulated time; on a real bus the master is another program");
+    EXPECT_EQ(error_of({"--can2", "hub:localhost:1", "--log", "x", "--state", "x"}),
+              "--log and --state are the same file");
     EXPECT_EQ(error_of({"--status"}), "--status is for real time: give --can1 or --can2 a CAN bus");
     EXPECT_EQ(error_of({"--state", "s"}), "--state is for real time: give --can1 or --can2 a CAN bus");
 }
