@@ -236,7 +236,7 @@ Outcome clear_errors(Run& run, const Step& step) {
     if (is_governor(step)) {
         plant_of(run).plant().governor().clear_errors();
     } else {
-        plant_of(run).plant().gateway().clear_errors(plant_of(run).now());
+        plant_of(run).plant().clear_gateway_errors();
     }
     return {fmt::format("errors are cleared at the {}", is_governor(step) ? "governor" : "gateway")};
 }

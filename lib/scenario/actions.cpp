@@ -188,7 +188,7 @@ constexpr std::array table{
            mend_fault},
     Action{{.name = "clear",
             .kind = Kind::word,
-            .text = "errors are cleared at a device, as with DcDesk; the governor clears the gateway's too",
+            .text = "errors are cleared at a device, which tells the other one",
             .words = device_words},
            {},
            false,

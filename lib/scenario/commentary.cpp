@@ -162,9 +162,11 @@ void Commentary::watch_link() {
     const link::GovernorEnd& governor = installation_->plant().governor().link();
     if (governor.failed_attempts() > failed_attempts_) {
         const link::GatewayEnd& gateway = installation_->plant().gateway_link();
+        const link::Refusal& refusal = gateway.refusal();
+        const bool differs = refusal.incomplete || refusal.received != refusal.expected.value;
         tell(EventKind::link,
-             gateway.answer() == link::Answer::refused
-                 ? fmt::format("refused: {}", simulation::refusal_text(gateway.refusal()))
+             gateway.answer() == link::Answer::refused && differs
+                 ? fmt::format("refused: {}", simulation::refusal_text(refusal))
                  : std::string("an attempt to initialise the gateway failed"),
              true);
     }

@@ -64,7 +64,10 @@ Time SimulatedGovernor::poll(Time now) {
     next_cycle_ += cycle_;
     ++main_cycles_;
     run_engine();
-    const device::GovernorData delivered = data();
+    device::GovernorData delivered = data();
+    if (amend_) {
+        amend_(delivered);
+    }
     errors_ = delivered.errors;
     link_.main_cycle(delivered, cycle_flags(), now);
     return next_cycle_;

@@ -4,6 +4,8 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
+#include <utility>
 
 #include "device/governor_link.hpp"
 #include "image/image.hpp"
@@ -37,6 +39,11 @@ class SimulatedGovernor final : public link::GovernorListener, public Participan
     void report_can_bus_error(bool present) { can_bus_error_ = present; }
     void report_can_comm_error(bool present) { can_comm_error_ = present; }
 
+    // Called with what a main cycle is about to deliver, and may change it: for tests that must recognise the
+    // words of one cycle.
+    using Amend = std::function<void(device::GovernorData&)>;
+    void amend_data(Amend amend) { amend_ = std::move(amend); }
+
     // The governor's share of 2000h:1..6, as last sent.
     const std::array<std::uint16_t, device::error_words>& errors() const { return errors_; }
 
@@ -55,6 +62,7 @@ class SimulatedGovernor final : public link::GovernorListener, public Participan
     Time next_cycle_ = 0;
     std::uint64_t main_cycles_ = 0;
     std::uint8_t boot_ = 1;
+    Amend amend_;
     bool can_bus_error_ = false;
     bool can_comm_error_ = false;
     std::array<std::uint16_t, device::error_words> errors_{};

@@ -44,6 +44,9 @@ class Plant {
     // One that is there is there after a reset as well.
     void report(device::Fault fault, bool present);
 
+    // "Clear errors" at the gateway, which tells the governor.
+    void clear_gateway_errors() { gateway_.link.clear_errors(now()); }
+
     // Cuts a bus, or mends it. Its controller at the gateway says so: 3070 or 3072.
     enum class BusName : std::uint8_t { can1, can2 };
     Bus& bus(BusName name) { return name == BusName::can1 ? can1_ : can2_; }

@@ -59,8 +59,8 @@ TEST(ScenarioExpectations, of_tpdos) {
                    "{ at = 0.2, expect-tpdo = 4, within = 0.2 },\n"),
               "ok no TPDO4 within 0.2 s\nFAILED TPDO4 within 0.2 s: there was none\n"
               "ok TPDO4 within 0.125 s\n"
-              "FAILED TPDO4 within 0.001 s: the last one is 0.1239 s old\n"
-              "FAILED no TPDO4 within 1 s: the last one is 0.1239 s old\n");
+              "FAILED TPDO4 within 0.001 s: the last one is 0.124 s old\n"
+              "FAILED no TPDO4 within 1 s: the last one is 0.124 s old\n");
 }
 
 TEST(ScenarioExpectations, of_heartbeats_and_boot_ups) {

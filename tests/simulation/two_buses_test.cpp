@@ -104,7 +104,8 @@ TEST_F(TwoBuses, leave_the_governor_its_part_of_can1_when_receive_pdos_saturate_
     MasterNode master(plant.can2(), 5, second);
     start(plant, master);
     plant.run_until(plant.now() + 2 * second);
-    Jammer jammer(plant.can2(), test::make_frame(0x305, {0x34, 0x12}));
+    Jammer jammer(plant.can2());
+    jammer.start(test::make_frame(0x305, {0x34, 0x12}), canopen::never);
     const Time busy_before = plant.can1().busy_time();
     const std::uint64_t received_before = plant.gateway().slave().receiver().counters().received;
     plant.run_until(plant.now() + 5 * second);
