@@ -29,7 +29,6 @@ PlantRun::PlantRun(const image::Image& image, Time duration, std::ostream& out)
       end_(duration),
       plant_(image),
       node_(plant_.can2(), image.can2().own_node, sdo_timeout) {
-    plant_.can2().observe([this](const frame::Frame& frame, Time now) { log_.record(frame, now); });
     for (std::size_t position = 0; position < facts::tpdo_count; ++position) {
         const image::Pdo pdo = image.pdo(position);
         if (pdo.active) {

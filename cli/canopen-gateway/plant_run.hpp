@@ -11,7 +11,6 @@
 
 #include "cli/canopen-gateway/options.hpp"
 #include "image/image.hpp"
-#include "media/candump.hpp"
 #include "simulation/master_node.hpp"
 #include "simulation/plant.hpp"
 
@@ -27,7 +26,6 @@ class PlantRun {
     simulation::Plant& plant() { return plant_; }
     simulation::MasterNode& node() { return node_; }
     master::Master& master() { return node_.master(); }
-    const media::CandumpLog& log() const { return log_; }
     std::uint8_t node_id() const { return image_->can2().own_node; }
     Time now() { return plant_.now(); }
 
@@ -63,7 +61,6 @@ class PlantRun {
     Time end_;
     simulation::Plant plant_;
     simulation::MasterNode node_;
-    media::CandumpLog log_{"can0"};
     std::array<device::PdoWords, facts::rpdo_count> outputs_{};
 };
 

@@ -2,41 +2,40 @@
 
 #include <fmt/format.h>
 
+#include <csignal>
+
 #include "base/files.hpp"
 #include "base/utf8.hpp"
 #include "cli/canopen-gateway/demonstration.hpp"
 #include "cli/canopen-gateway/display.hpp"
 #include "cli/canopen-gateway/options.hpp"
 #include "cli/canopen-gateway/plant_run.hpp"
+#include "media/log.hpp"
+#include "runtime/keeper.hpp"
+#include "runtime/run.hpp"
 
 namespace cgw::gateway_cli {
 namespace {
 
-constexpr std::size_t shown_id_bytes = 8;
-
-std::string configuration_id(const image::Image& image) {
-    std::string text;
-    for (const std::uint8_t byte : image.configuration_id().first(shown_id_bytes)) {
-        text += fmt::format("{:02x}", byte);
-    }
-    return text;
-}
-
-void introduce(const image::Image& image, std::ostream& out) {
+// `simulated_can2`: a bus with manual timing runs at a rate of our choice.
+std::string introduction(const image::Image& image, bool simulated_can2) {
     image::Label title;
     const bool titled = image.find_label(0, title) && !title.name.empty();
-    out << clipped(fmt::format("canopen-gateway {}, configuration {}", CGW_VERSION, configuration_id(image)),
-                   line_width)
-        << '\n';
+    std::string text = fmt::format("canopen-gateway {}, configuration {}\n", CGW_VERSION,
+                                   runtime::configuration_id_text(image));
     if (titled) {
-        out << clipped(title.name, line_width) << '\n';
+        text += clipped(base::printable(title.name), line_width) + "\n";
     }
     const image::Bus can2 = image.can2();
-    const std::string rate = can2.manual_timing ? fmt::format("manual bit timing, run at {} kbit/s",
-                                                              simulation::manual_bit_rate_kbit)
-                                                : fmt::format("{} kbit/s", can2.bit_rate_kbit);
-    out << fmt::format("node {}, {}, governor main cycle {:.3f} ms\n", can2.own_node, rate,
-                       static_cast<double>(image.governor().main_cycle_us) / 1000);
+    std::string rate = fmt::format("{} kbit/s", can2.bit_rate_kbit);
+    if (can2.manual_timing) {
+        rate = simulated_can2
+                   ? fmt::format("manual bit timing, run at {} kbit/s", simulation::manual_bit_rate_kbit)
+                   : "manual bit timing";
+    }
+    text += fmt::format("node {}, {}, governor main cycle {:.3f} ms\n", can2.own_node, rate,
+                        static_cast<double>(image.governor().main_cycle_us) / 1000);
+    return text;
 }
 
 void summarise(PlantRun& plant_run, std::ostream& out) {
@@ -51,31 +50,92 @@ void summarise(PlantRun& plant_run, std::ostream& out) {
                        slave.sdo().counters().answers, slave.sdo().counters().aborts);
 }
 
+void complain(std::ostream& error, std::string_view line) {
+    error << "canopen-gateway: " << base::printable(line) << '\n' << std::flush;
+}
+
+// All frames of both buses, to be written when the run is over.
+class PlantLog {
+  public:
+    explicit PlantLog(PlantRun& run) {
+        for (const runtime::Side side : {runtime::Side::can1, runtime::Side::can2}) {
+            simulation::Bus& bus = side == runtime::Side::can1 ? run.plant().can1() : run.plant().can2();
+            bus.observe([this, side](const frame::Frame& frame, Time now) {
+                frames_.push_back({now, std::string(runtime::interface_name(side)), frame});
+            });
+        }
+    }
+
+    std::size_t frames() const { return frames_.size(); }
+
+    base::Result<void> write(const std::string& path) const {
+        const auto format = media::log_format_of(path).value_or(media::LogFormat::candump);
+        const base::Result<base::Bytes> content = media::write_log(format, frames_);
+        return content ? base::write_file(path, *content) : tl::unexpected(content.error());
+    }
+
+  private:
+    std::vector<media::LoggedFrame> frames_;
+};
+
 int run_plant(const Options& options, const image::Image& image, std::ostream& out, std::ostream& error) {
-    PlantRun plant_run(image, options.duration_us, out);
+    const std::uint64_t duration = options.duration_us.value_or(simulated_duration_us);
+    PlantRun plant_run(image, duration, out);
     if (plant_run.plant().status() != device::OpenStatus::ok) {
         error << fmt::format("canopen-gateway: the embedded configuration is refused: {}\n",
                              device::to_text(plant_run.plant().status()));
         return exit_refused;
     }
-    introduce(image, out);
+    std::optional<PlantLog> log;
+    if (!options.log.empty()) {
+        log.emplace(plant_run);
+    }
+    out << introduction(image, true);
     bool fine = true;
     if (options.master) {
         fine = demonstrate(plant_run);
     } else {
-        plant_run.run_for(options.duration_us);
+        plant_run.run_for(duration);
     }
     summarise(plant_run, out);
-    if (!options.log.empty()) {
-        const auto written = base::write_file(options.log, plant_run.log().content());
+    if (log) {
+        const base::Result<void> written = log->write(options.log);
         if (!written) {
-            error << "canopen-gateway: " << base::printable(written.error().message) << '\n';
+            complain(error, written.error().message);
             return exit_environment;
         }
-        out << clipped(fmt::format("log of {} frames: {}", plant_run.log().frames(), options.log), line_width)
+        out << clipped(fmt::format("log of {} frames: {}", log->frames(), base::printable(options.log)),
+                       line_width)
             << '\n';
     }
     return fine ? exit_fine : exit_refused;
+}
+
+int run_in_real_time(const Options& options, const image::Image& image, std::ostream& out,
+                     std::ostream& error) {
+    runtime::Settings settings;
+    settings.can1 = options.can1;
+    settings.can2 = options.can2;
+    settings.log = options.log;
+    settings.state = options.state;
+    settings.duration = options.duration_us.value_or(media::never);
+    settings.status_at_end = options.status;
+    settings.introduction = introduction(image, false);
+    const runtime::Output output{
+        .print = [&out](std::string_view text) { out << text << std::flush; },
+        .complain = [&error](std::string_view line) { complain(error, line); },
+        .show = [&error](std::string_view text) { error << text << std::flush; },
+    };
+    std::signal(SIGPIPE, SIG_IGN);  // whoever reads the lines may go; the gateway stays
+    switch (runtime::run(image, settings, output)) {
+        case runtime::Ending::fine:
+            break;
+        case runtime::Ending::refused:
+            return exit_refused;
+        case runtime::Ending::environment:
+            return exit_environment;
+    }
+    return exit_fine;
 }
 
 }  // namespace
@@ -103,7 +163,8 @@ int run(std::span<const char* const> arguments, std::span<const std::uint8_t> im
                              image::to_text(status), static_cast<int>(status));
         return exit_refused;
     }
-    return run_plant(options, image, out, error);
+    return options.real_time() ? run_in_real_time(options, image, out, error)
+                               : run_plant(options, image, out, error);
 }
 
 }  // namespace cgw::gateway_cli

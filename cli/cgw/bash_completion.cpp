@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "cli/cgw/completion_words.hpp"
 #include "cli/cgw/shell_completion.hpp"
 
@@ -42,6 +44,23 @@ _cgw() {{
 }}
 
 complete -o filenames -F _cgw cgw
+)";
+
+// Of a program without verbs: its name, the function, values of options, options.
+constexpr char bash_command_script[] = R"(# bash completion for {0}, made from its table of options
+
+{1}() {{
+    local cur=${{COMP_WORDS[COMP_CWORD]}} prev=${{COMP_WORDS[COMP_CWORD-1]}}
+    COMPREPLY=()
+    [[ $prev == '=' ]] && prev=${{COMP_WORDS[COMP_CWORD-2]}}
+    [[ $cur == '=' ]] && cur=
+    case $prev in
+{2}    *) ;;
+    esac
+    mapfile -t COMPREPLY < <(compgen -W '{3}' -- "$cur")
+}}
+
+complete -o filenames -F {1} {0}
 )";
 
 std::string first_words() {
@@ -118,6 +137,31 @@ std::string bash_completion() {
         }
     }
     return fmt::format(bash_script, first_words(), seconds, verbs);
+}
+
+namespace {
+
+// A name of a shell function.
+std::string function_name(std::string_view program) {
+    std::string name = fmt::format("_{}", program);
+    std::replace(name.begin(), name.end(), '-', '_');
+    return name;
+}
+
+}  // namespace
+
+std::string bash_completion(const Verb& command) {
+    std::string options;
+    std::string values;
+    for (const Option& option : command.options) {
+        const std::vector<std::string_view> names = names_of(option);
+        options += fmt::format("{}{}", options.empty() ? "" : " ", fmt::join(names, " "));
+        if (!option.flag()) {
+            values += fmt::format("    {}) mapfile -t COMPREPLY < <(compgen {} -- \"$cur\"); return ;;\n",
+                                  fmt::join(names, "|"), bash_values(option));
+        }
+    }
+    return fmt::format(bash_command_script, command.name, function_name(command.name), values, options);
 }
 
 }  // namespace cgw::cli

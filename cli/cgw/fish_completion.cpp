@@ -53,11 +53,9 @@ std::string names_with_value(const Verb& verb) {
     return text;
 }
 
-std::string fish_option(const Verb& verb, const Option& option, int position) {
-    const int at = option.positional() && !option.repeats ? position : 0;
-    std::string text =
-        fmt::format("complete -c cgw -n {}",
-                    quoted(fmt::format("__cgw_at {} \"{}\"{}", at, verb.name, names_with_value(verb))));
+// What stands behind "complete -c cgw -n …".
+std::string fish_tail(const Option& option) {
+    std::string text;
     if (!option.positional()) {
         for (const std::string_view name : names_of(option)) {
             text += name.starts_with("--") ? fmt::format(" -l {}", name.substr(2))
@@ -73,6 +71,13 @@ std::string fish_option(const Verb& verb, const Option& option, int position) {
         text += " -f -a '(__fish_complete_directories)'";
     }
     return text + fmt::format(" -d {}\n", quoted(option.summary));
+}
+
+std::string fish_option(const Verb& verb, const Option& option, int position) {
+    const int at = option.positional() && !option.repeats ? position : 0;
+    return fmt::format("complete -c cgw -n {}{}",
+                       quoted(fmt::format("__cgw_at {} \"{}\"{}", at, verb.name, names_with_value(verb))),
+                       fish_tail(option));
 }
 
 std::string fish_verb(const Verb& verb) {
@@ -106,6 +111,15 @@ std::string fish_completion() {
         }
     }
     return fmt::format(fish_script, groups_with_verbs, rows, options);
+}
+
+std::string fish_completion(const Verb& command) {
+    std::string text = fmt::format(
+        "# fish completion for {0}, made from its table of options\n\ncomplete -c {0} -f\n", command.name);
+    for (const Option& option : command.options) {
+        text += fmt::format("complete -c {}{}", command.name, fish_tail(option));
+    }
+    return text;
 }
 
 }  // namespace cgw::cli

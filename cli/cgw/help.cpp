@@ -117,7 +117,11 @@ std::string option_text(const Option& option) {
 }
 
 std::string synopsis(const Verb& verb, char blank) {
-    std::string text = fmt::format("cgw {}", verb.name);
+    return synopsis(fmt::format("cgw {}", verb.name), verb, blank);
+}
+
+std::string synopsis(std::string_view call, const Verb& verb, char blank) {
+    std::string text(call);
     for (const Option& option : verb.options) {
         const std::string_view first_name = option.names.substr(0, option.names.find(','));
         const std::string word = option.positional() ? option_heading(option)

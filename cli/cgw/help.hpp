@@ -14,6 +14,8 @@ std::string help_text(std::string_view name);
 
 // "cgw emit NAME FILE [-o PATH] [--check]", in one line. `blank` stands between an option and its value.
 std::string synopsis(const Verb& verb, char blank = ' ');
+// The same behind "cgw emit", or behind the name of a program without verbs.
+std::string synopsis(std::string_view call, const Verb& verb, char blank = ' ');
 
 // "-o PATH, --output PATH"; "FILE…" for a positional that repeats.
 std::string option_heading(const Option& option);

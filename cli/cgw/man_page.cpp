@@ -52,12 +52,24 @@ std::string option_paragraphs(const Verb& verb, bool positional) {
     return text;
 }
 
-std::string exit_status() {
+std::string exit_status(std::span<const ExitCodeText> rows) {
     std::string text = ".SH EXIT STATUS\n";
-    for (const ExitCodeText& row : exit_code_texts()) {
+    for (const ExitCodeText& row : rows) {
         text += fmt::format(".TP\n.B {}\n{}\n", row.code, escaped(row.meaning));
     }
     return text;
+}
+
+// From the synopsis to the options of the table.
+std::string body(const Verb& verb, std::string_view call) {
+    std::string text = fmt::format(".SH SYNOPSIS\n.B {}\n", escaped(synopsis(call, verb)));
+    if (!verb.details.empty()) {
+        text += fmt::format(".SH DESCRIPTION\n{}", escaped(verb.details));
+    }
+    if (const std::string arguments = option_paragraphs(verb, true); !arguments.empty()) {
+        text += ".SH ARGUMENTS\n" + arguments;
+    }
+    return text + ".SH OPTIONS\n" + option_paragraphs(verb, false);
 }
 
 }  // namespace
@@ -83,24 +95,22 @@ std::string program_man_page(std::string_view version) {
         text += fmt::format(".TP\n.B {}\n{}; see\n.BR {} (1)\n", escaped(verb->name), escaped(verb->summary),
                             escaped(man_page_name(*verb)));
     }
-    return text + exit_status() +
+    return text + exit_status(exit_code_texts()) +
            ".SH ENVIRONMENT\n.TP\n.B NO_COLOR\nif not empty, no colours unless asked for by option\n"
            ".TP\n.B SOURCE_DATE_EPOCH\ndate of the artefacts, in seconds since 1970, for files that carry "
            "none\n";
 }
 
 std::string verb_man_page(const Verb& verb, std::string_view version) {
-    std::string text = header(man_page_name(verb), version, verb.summary);
-    text += fmt::format(".SH SYNOPSIS\n.B {}\n", escaped(synopsis(verb)));
-    if (!verb.details.empty()) {
-        text += fmt::format(".SH DESCRIPTION\n{}", escaped(verb.details));
-    }
-    if (const std::string arguments = option_paragraphs(verb, true); !arguments.empty()) {
-        text += ".SH ARGUMENTS\n" + arguments;
-    }
-    text +=
-        ".SH OPTIONS\n" + option_paragraphs(verb, false) + ".TP\n.B \\-h, \\-\\-help\nprint a short help\n";
-    return text + exit_status() + ".SH SEE ALSO\n.BR cgw (1)\n";
+    return header(man_page_name(verb), version, verb.summary) + body(verb, fmt::format("cgw {}", verb.name)) +
+           ".TP\n.B \\-h, \\-\\-help\nprint a short help\n" + exit_status(exit_code_texts()) +
+           ".SH SEE ALSO\n.BR cgw (1)\n";
+}
+
+std::string command_man_page(const Verb& command, std::span<const ExitCodeText> exit_codes,
+                             std::string_view related, std::string_view version) {
+    return header(command.name, version, command.summary) + body(command, command.name) +
+           exit_status(exit_codes) + fmt::format(".SH SEE ALSO\n.BR {} (1)\n", escaped(related));
 }
 
 }  // namespace cgw::cli

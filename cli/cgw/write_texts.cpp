@@ -4,6 +4,7 @@
 
 #include <filesystem>
 
+#include "cli/canopen-gateway/options.hpp"
 #include "cli/cgw/man_page.hpp"
 #include "cli/cgw/shell_completion.hpp"
 #include "driver/outputs.hpp"
@@ -25,6 +26,13 @@ std::vector<Artefact> texts() {
         text("zsh/site-functions/_cgw", cgw::cli::zsh_completion()),
         text("fish/vendor_completions.d/cgw.fish", cgw::cli::fish_completion()),
     };
+    const cgw::cli::Verb& gateway = cgw::gateway_cli::command();
+    all.push_back(
+        text("man/man1/canopen-gateway.1",
+             cgw::cli::command_man_page(gateway, cgw::gateway_cli::exit_code_texts(), "cgw", version)));
+    all.push_back(text("bash-completion/completions/canopen-gateway", cgw::cli::bash_completion(gateway)));
+    all.push_back(text("zsh/site-functions/_canopen-gateway", cgw::cli::zsh_completion(gateway)));
+    all.push_back(text("fish/vendor_completions.d/canopen-gateway.fish", cgw::cli::fish_completion(gateway)));
     for (const cgw::cli::Verb* verb : cgw::cli::all_verbs()) {
         all.push_back(text(fmt::format("man/man1/{}.1", cgw::cli::man_page_name(*verb)),
                            cgw::cli::verb_man_page(*verb, version)));

@@ -104,4 +104,13 @@ std::string zsh_completion() {
     return fmt::format(zsh_script, firsts, seconds, verbs);
 }
 
+std::string zsh_completion(const Verb& command) {
+    std::string text = fmt::format(
+        "#compdef {0}\n# zsh completion for {0}, made from its table of options\n\n_arguments", command.name);
+    for (const Option& option : command.options) {
+        text += fmt::format(" \\\n    {}", zsh_option(option));
+    }
+    return text + "\n";
+}
+
 }  // namespace cgw::cli

@@ -1,6 +1,5 @@
 #include "explain/text.hpp"
 #include "base/ascii.hpp"
-#include "base/utf8.hpp"
 
 #include <algorithm>
 
@@ -43,26 +42,6 @@ std::optional<std::string> merged_word(std::string_view first, std::string_view 
 }
 
 }  // namespace
-
-std::vector<std::string> wrap(std::string_view text, std::size_t width) {
-    std::vector<std::string> lines(1);
-    while (!text.empty()) {
-        const std::size_t start = std::min(text.find_first_not_of(' '), text.size());
-        const std::size_t blanks = start;
-        text.remove_prefix(start);
-        const std::string_view word = text.substr(0, text.find(' '));
-        text.remove_prefix(word.size());
-        std::string& line = lines.back();
-        const std::string gap(line.empty() && lines.size() > 1 ? 0 : blanks, ' ');
-        if (line.empty() || base::width_of(line) + gap.size() + base::width_of(word) <= width) {
-            line += gap;
-            line += word;
-        } else if (!word.empty()) {
-            lines.emplace_back(word);
-        }
-    }
-    return lines;
-}
 
 std::optional<std::string> merged_text(std::string_view first, std::string_view last) {
     std::string merged;

@@ -1,4 +1,4 @@
-// Text for people: wrapping, and several counted texts as one.
+// Text for people: several counted texts as one.
 #pragma once
 
 #include <cstddef>
@@ -7,12 +7,13 @@
 #include <string_view>
 #include <vector>
 
+#include "base/wrap.hpp"
+
 namespace cgw::explain {
 
 inline constexpr std::size_t page_width = 80;  // columns
 
-// Lines of at most `width` columns, broken at blanks; a longer word has a line of its own. At least one line.
-std::vector<std::string> wrap(std::string_view text, std::size_t width);
+using base::wrap;
 
 // Texts that differ in numbers only, as one: "word 1 of TPDO4" and "word 4 of TPDO4" give "word 1..4 of
 // TPDO4", "1804h:1" and "180Fh:1" give "1804h..180Fh:1". nullopt when they differ in anything else.

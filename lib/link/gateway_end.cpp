@@ -30,6 +30,7 @@ void GatewayEnd::open(const image::Image& image, std::uint8_t boot) {
     commanded_ = false;
     answer_ = Answer::none;
     configuration_fits_ = false;
+    refusals_ = 0;
 }
 
 void GatewayEnd::receive(const frame::Frame& frame, Time now) {
@@ -147,6 +148,7 @@ void GatewayEnd::compare(const Telegram& telegram) {
 
 void GatewayEnd::refuse(const Refusal& refusal) {
     refusal_ = refusal;
+    ++refusals_;
     tell_refusal();
 }
 

@@ -40,6 +40,7 @@ class GatewayEnd final : public device::GovernorLink {
 
     Answer answer() const { return answer_; }
     const Refusal& refusal() const { return refusal_; }  // the last one
+    unsigned refusals() const { return refusals_; }      // of configurations, since open()
 
     // Inline: without RTTI a table of virtual functions of this room's own would not do for rooms with it.
     void status_changed(const device::GatewayStatus& status) override { follow(status); }
@@ -100,6 +101,7 @@ class GatewayEnd final : public device::GovernorLink {
     std::uint16_t next_item_ = 0;
     bool mismatch_ = false;
     Refusal refusal_;
+    unsigned refusals_ = 0;
 };
 
 }  // namespace cgw::link

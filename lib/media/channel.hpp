@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string_view>
 
 #include "frame/frame.hpp"
@@ -42,6 +43,9 @@ class Channel : public frame::FramePort {
     virtual void service(Time now, ChannelListener& listener) = 0;
     // When service() is wanted although nothing came.
     virtual Time deadline() const = 0;
+
+    // Bits per second, where the connection knows at which rate the bus runs; nothing for a virtual bus.
+    virtual std::optional<std::uint32_t> bit_rate() const { return std::nullopt; }
 };
 
 }  // namespace cgw::media

@@ -169,16 +169,6 @@ void put32_big_endian(base::Bytes& bytes, std::uint32_t value) {
     }
 }
 
-void put_header(base::Bytes& bytes) {
-    put32(bytes, kinds.front().magic);
-    put16(bytes, major_version);
-    put16(bytes, minor_version);
-    put32(bytes, 0);  // time zone and accuracy, which nobody fills
-    put32(bytes, 0);
-    put32(bytes, longest_record);
-    put32(bytes, link_type_can);
-}
-
 void put_frame(base::Bytes& bytes, const frame::Frame& frame) {
     const std::size_t data = frame.remote ? 0 : frame.length;
     const auto size = static_cast<std::uint32_t>(data_offset + data);
@@ -212,17 +202,30 @@ base::Result<Log> read_pcap(std::string_view content, const std::string& name) {
     return log;
 }
 
+void append_pcap_header(base::Bytes& bytes) {
+    put32(bytes, kinds.front().magic);
+    put16(bytes, major_version);
+    put16(bytes, minor_version);
+    put32(bytes, 0);  // time zone and accuracy, which nobody fills
+    put32(bytes, 0);
+    put32(bytes, longest_record);
+    put32(bytes, link_type_can);
+}
+
+void append_pcap_record(base::Bytes& bytes, const LoggedFrame& logged) {
+    put32(bytes, static_cast<std::uint32_t>(logged.time_us / microseconds));
+    put32(bytes, static_cast<std::uint32_t>(logged.time_us % microseconds));
+    put_frame(bytes, logged.frame);
+}
+
 base::Result<base::Bytes> write_pcap(std::span<const LoggedFrame> frames) {
     base::Bytes bytes;
-    put_header(bytes);
+    append_pcap_header(bytes);
     for (const LoggedFrame& logged : frames) {
-        const std::uint64_t seconds = logged.time_us / microseconds;
-        if (seconds > std::numeric_limits<std::uint32_t>::max()) {
+        if (logged.time_us / microseconds > std::numeric_limits<std::uint32_t>::max()) {
             return base::failure("a pcap file has no times after the year 2106");
         }
-        put32(bytes, static_cast<std::uint32_t>(seconds));
-        put32(bytes, static_cast<std::uint32_t>(logged.time_us % microseconds));
-        put_frame(bytes, logged.frame);
+        append_pcap_record(bytes, logged);
     }
     return bytes;
 }

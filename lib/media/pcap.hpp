@@ -24,6 +24,11 @@ bool is_pcap(std::string_view content);
 // file that is cut off and one that contradicts itself are failures that begin with `name`.
 base::Result<Log> read_pcap(std::string_view content, const std::string& name);
 
+// The parts of a file that write_pcap() makes, for one that grows: first the header, then records. Seconds
+// beyond the format's 32 bits begin again.
+void append_pcap_header(base::Bytes& bytes);
+void append_pcap_record(base::Bytes& bytes, const LoggedFrame& logged);
+
 // Little-endian, microseconds. Fails on a time after the year 2106, for which the format has no room.
 base::Result<base::Bytes> write_pcap(std::span<const LoggedFrame> frames);
 

@@ -32,6 +32,7 @@ class SlcanChannel final : public Channel {
     short events() const override;
     void service(Time now, ChannelListener& listener) override;
     Time deadline() const override;
+    std::optional<std::uint32_t> bit_rate() const override { return kbit_ * 1000; }
 
   private:
     // What the adapter was told last, or was not yet.

@@ -8,6 +8,7 @@
 #include <cerrno>
 #include <cstring>
 
+#include "media/can_bit_rate.hpp"
 #include "media/socketcan_frame.hpp"
 
 namespace cgw::media {
@@ -61,6 +62,10 @@ bool SocketCanChannel::send(const frame::Frame& frame) {
         fault_ = fault_text(errno);
     }
     return false;
+}
+
+std::optional<std::uint32_t> SocketCanChannel::bit_rate() const {
+    return can_bit_rate(name_);
 }
 
 short SocketCanChannel::events() const {

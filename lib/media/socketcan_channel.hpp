@@ -49,6 +49,7 @@ class SocketCanChannel final : public Channel {
     short events() const override;
     void service(Time now, ChannelListener& listener) override;
     Time deadline() const override;
+    std::optional<std::uint32_t> bit_rate() const override;
 
   private:
     enum class Received : std::uint8_t { frame, nothing, failed };

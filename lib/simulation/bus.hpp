@@ -49,6 +49,8 @@ class Bus {
     void run_until(Time end);
 
     Time now() const { return now_; }
+    // When something happens next: a frame is over, or a participant's deadline comes.
+    Time next_event() const;
     std::uint64_t frames() const { return frames_; }
     Time busy_time() const { return busy_time_; }  // microseconds with a frame on the bus
 
@@ -66,8 +68,6 @@ class Bus {
     void poll_all();
     void start_frame();
     void finish_frame();
-    Time next_event() const;
-
     Time bit_time_;  // microseconds
     Time now_ = 0;
     std::vector<std::unique_ptr<Node>> nodes_;

@@ -37,7 +37,28 @@ TEST(GatewayOptions, runs_ten_seconds_by_default) {
     Options options;
     std::string error;
     EXPECT_TRUE(parse_options({}, options, error));
-    EXPECT_EQ(options.duration_us, 10'000'000U);
+    EXPECT_FALSE(options.duration_us.has_value());
+    EXPECT_EQ(simulated_duration_us, 10'000'000U);
+    EXPECT_FALSE(options.real_time());
+}
+
+TEST(GatewayOptions, runs_in_real_time_with_a_can_bus_on_either_side) {
+    for (const std::vector<const char*>& arguments :
+         {std::vector<const char*>{"--can2", "hub:127.0.0.1:29536/can0", "--state", "s", "--status"},
+          {"--can1", "socketcan:can0", "--status"},
+          {"--can2", "slcan:/dev/ttyACM0@250"}}) {
+        Options options;
+        std::string error;
+        ASSERT_TRUE(parse_options(arguments, options, error)) << error;
+        EXPECT_TRUE(options.real_time());
+    }
+}
+
+TEST(GatewayOptions, refuses_what_does_not_go_together) {
+    EXPECT_EQ(error_of({"--can2", "hub:localhost:1", "--master"}),
+              "--master is for simulated time; on a real bus the master is another program");
+    EXPECT_EQ(error_of({"--status"}), "--status is for real time: give --can1 or --can2 a CAN bus");
+    EXPECT_EQ(error_of({"--state", "s"}), "--state is for real time: give --can1 or --can2 a CAN bus");
 }
 
 TEST(GatewayOptions, refuses_unknown_options_and_stray_words) {
@@ -48,13 +69,19 @@ TEST(GatewayOptions, refuses_unknown_options_and_stray_words) {
 }
 
 TEST(GatewayOptions, refuses_media_it_does_not_have) {
-    EXPECT_EQ(error_of({"--can1", "socketcan:can0"}), "--can1 'socketcan:can0': expected simulated");
-    EXPECT_EQ(error_of({"--can2", "simulated"}), "--can2 'simulated': expected virtual");
+    EXPECT_EQ(error_of({"--can1", "virtual"}),
+              "--can1 'virtual': expected simulated or a CAN bus, --help says how it is written");
+    for (const char* text : {"simulated", "hub", "usb:0", "", ":can0"}) {
+        EXPECT_EQ(error_of({"--can2", text}),
+                  "--can2 '" + std::string(text) +
+                      "': expected virtual or a CAN bus, --help says how it is written");
+    }
 }
 
 TEST(GatewayOptions, refuses_missing_and_superfluous_values) {
     EXPECT_EQ(error_of({"--log"}), "--log '': expected a file name");
     EXPECT_EQ(error_of({"--log="}), "--log '': expected a file name");
+    EXPECT_EQ(error_of({"--state", "-"}), "--state '-': expected a file name");
     EXPECT_EQ(error_of({"--master=yes"}), "--master takes no value");
 }
 
@@ -68,7 +95,8 @@ TEST(GatewayOptions, refuses_durations_that_are_none) {
 
 TEST(GatewayOptions, names_every_option_in_the_help_within_eighty_columns) {
     const std::string help = help_text();
-    for (const char* name : {"--can1", "--can2", "--master", "--log", "--duration", "--version", "--help"}) {
+    for (const char* name : {"--can1", "--can2", "--master", "--log", "--state", "--status", "--duration",
+                             "--version", "--help", "hub:HOST:PORT[/BUS]", "SIGUSR1"}) {
         EXPECT_NE(help.find(name), std::string::npos) << name;
     }
     std::istringstream lines(help);

@@ -2,9 +2,12 @@
 #include "cli/canopen-gateway/run.hpp"
 
 #include <filesystem>
+#include <set>
 #include <sstream>
 
 #include "media/candump.hpp"
+#include "media/log.hpp"
+#include "media/pcap.hpp"
 #include "support/golden.hpp"
 #include "support/sample_plant.hpp"
 
@@ -159,7 +162,9 @@ TEST_F(GatewayRun, refuses_an_image_the_gateway_cannot_run) {
 TEST_F(GatewayRun, refuses_a_wrong_command_line) {
     const Outcome outcome = run_with(plant_.image(), {"--can2", "hub"});
     EXPECT_EQ(outcome.code, 2);
-    EXPECT_EQ(outcome.error, "canopen-gateway: --can2 'hub': expected virtual\n");
+    EXPECT_EQ(
+        outcome.error,
+        "canopen-gateway: --can2 'hub': expected virtual or a CAN bus, --help says how it is written\n");
     EXPECT_TRUE(outcome.out.empty());
 }
 
@@ -179,13 +184,30 @@ TEST_F(GatewayRun, writes_every_frame_to_the_log_and_the_same_log_again) {
     std::istringstream lines(text);
     std::size_t count = 0;
     std::uint64_t last = 0;
+    std::set<std::string> seen;
     for (std::string line; std::getline(lines, line); ++count) {
         const auto logged = media::parse_candump_line(line);
         ASSERT_TRUE(logged.has_value()) << line;
-        EXPECT_GT(logged->time_us, last);
+        EXPECT_GE(logged->time_us, last);
         last = logged->time_us;
+        seen.insert(logged->interface_name);
     }
     EXPECT_GT(count, 500U);
+    EXPECT_EQ(seen, (std::set<std::string>{"can1", "can2"}));
+}
+
+TEST_F(GatewayRun, writes_a_pcap_log_when_its_name_says_so) {
+    const std::string text = path("run.log");
+    const std::string pcap = path("run.pcap");
+    ASSERT_EQ(run_with(plant_.image(), {"--duration", "1", "--log", text.c_str()}).code, 0);
+    ASSERT_EQ(run_with(plant_.image(), {"--duration", "1", "--log", pcap.c_str()}).code, 0);
+    const auto from_text = media::read_log(test::read_text(text), text);
+    const auto from_pcap = media::read_log(test::read_text(pcap), pcap);
+    ASSERT_TRUE(from_text && from_pcap);
+    ASSERT_TRUE(media::is_pcap(test::read_text(pcap)));
+    ASSERT_EQ(from_text->frames.size(), from_pcap->frames.size());
+    EXPECT_EQ(from_text->frames.back().frame, from_pcap->frames.back().frame);
+    EXPECT_EQ(from_text->frames.back().time_us, from_pcap->frames.back().time_us);
 }
 
 TEST_F(GatewayRun, leaves_nothing_behind_when_the_log_cannot_be_written) {

@@ -41,7 +41,8 @@ def installed_and_moved():
     names = {str(path.relative_to(prefix)) for path in prefix.rglob("*") if path.is_file()}
     for name in ("bin/cgw", "bin/canopen-gateway", "share/man/man1/cgw.1", "share/man/man1/cgw-build.1",
                  "share/bash-completion/completions/cgw", "share/zsh/site-functions/_cgw",
-                 "share/fish/vendor_completions.d/cgw.fish", "share/cgw/rooms/image/image.hpp",
+                 "share/fish/vendor_completions.d/cgw.fish", "share/man/man1/canopen-gateway.1",
+                 "share/bash-completion/completions/canopen-gateway", "share/cgw/rooms/image/image.hpp",
                  "share/cgw/rooms/device/CMakeLists.txt", "share/cgw/schemas/check-report.schema.json",
                  "share/cgw/samples/genset.toml", "share/doc/cgw/rulings.md", "share/doc/cgw/README.md"):
         check(name in names, f"{name} is not installed")

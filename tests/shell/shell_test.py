@@ -13,6 +13,7 @@ import unittest
 SHARE = pathlib.Path(os.environ["CGW_SHARE"])
 SAMPLES = os.environ["CGW_SAMPLES"]
 CGW = os.environ["CGW"]
+GATEWAY = os.environ["CANOPEN_GATEWAY"]
 
 
 def run(*command, **options):
@@ -27,7 +28,7 @@ def verbs():
 class ManPages(unittest.TestCase):
     def test_there_is_one_for_the_program_and_each_verb(self):
         pages = sorted(path.name for path in (SHARE / "man/man1").iterdir())
-        wanted = ["cgw.1"] + [f"cgw-{verb.replace(' ', '-')}.1" for verb in verbs()]
+        wanted = ["canopen-gateway.1", "cgw.1"] + [f"cgw-{verb.replace(' ', '-')}.1" for verb in verbs()]
         self.assertEqual(pages, sorted(wanted))
 
     def test_mandoc_and_groff_find_nothing_to_complain_about(self):
@@ -44,6 +45,14 @@ class ManPages(unittest.TestCase):
             page = re.sub(".\b", "", page)
             for option in re.findall(r"^  (-[-\w]+)", help_text, re.M):
                 self.assertIn(option, page, verb)
+
+    def test_every_option_of_the_gateway_is_on_its_page(self):
+        help_text = run(GATEWAY, "--help").stdout
+        page = re.sub(".\b", "", run("mandoc", "-T", "ascii", str(SHARE / "man/man1/canopen-gateway.1")).stdout)
+        options = re.findall(r"^  (--[-\w]+)", help_text, re.M)
+        self.assertIn("--can1", options)
+        for option in options + ["hub:HOST:PORT", "SIGUSR1"]:
+            self.assertIn(option, page)
 
 
 class Asked(unittest.TestCase):
@@ -73,13 +82,17 @@ class Asked(unittest.TestCase):
         codes = set(re.findall(r"^E02\d\d", run(CGW, "list", "checks").stdout, re.M))
         self.assertGreater(len(codes), 3)
         self.assertEqual(self.ask("cgw explain E02"), codes)
+        self.assertEqual(self.ask("canopen-gateway --sta"), {"--state", "--status"})
+        self.assertEqual(self.ask("canopen-gateway --can1 s"), {"simulated"})
+        self.assertIn("plant.toml", self.ask("canopen-gateway --status --log p"))
 
 
 class Bash(Asked):
     def ask(self, line):
         words = line.split(" ")
-        script = (f"source '{SHARE}/bash-completion/completions/cgw'; COMP_WORDS=({' '.join(words)} ''); "
-                  f"COMP_WORDS[{len(words) - 1}]='{words[-1]}'; COMP_CWORD={len(words) - 1}; _cgw; "
+        function = "_" + words[0].replace("-", "_")
+        script = (f"source '{SHARE}/bash-completion/completions/{words[0]}'; COMP_WORDS=({' '.join(words)} ''); "
+                  f"COMP_WORDS[{len(words) - 1}]='{words[-1]}'; COMP_CWORD={len(words) - 1}; {function}; "
                   "printf '%s\\n' \"${COMPREPLY[@]}\"")
         return set(run("bash", "--norc", "-uc", script, cwd=self.dir).stdout.split())
 
@@ -94,7 +107,7 @@ class Bash(Asked):
 
 class Fish(Asked):
     def ask(self, line):
-        script = f"source '{SHARE}/fish/vendor_completions.d/cgw.fish'; complete -C '{line}'"
+        script = f"source '{SHARE}/fish/vendor_completions.d/{line.split()[0]}.fish'; complete -C '{line}'"
         environment = {**os.environ, "HOME": self.dir, "TERM": "dumb"}
         text = run("fish", "--no-config", "-c", script, cwd=self.dir, env=environment).stdout
         return {row.split("\t")[0] for row in text.splitlines()}

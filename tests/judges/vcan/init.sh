@@ -1,6 +1,6 @@
 #!/bin/busybox sh
-# Process 1 of the guest: walks media_vcan_check through the life of a CAN interface, then prints what it and candump
-# have seen, each file behind a line "== name".
+# Process 1 of the guest: walks media_vcan_check through the life of a CAN interface, then canopen-gateway through that of
+# a CANopen node, and prints what they and candump have seen, each file behind a line "== name".
 /bin/busybox --install -s /bin
 export PATH=/bin ASAN_OPTIONS=detect_leaks=0
 mkdir -p /proc /sys /dev /tmp
@@ -12,7 +12,7 @@ mount -t devpts devpts /dev/pts
 
 say() { echo "$*" >>/tmp/progress; }
 finish() {
-  for file in progress refused check candump burst serial adapter; do
+  for file in progress refused check candump burst serial adapter gateway node node_again state; do
     echo "== $file"
     cat /tmp/$file 2>/dev/null
   done
@@ -41,17 +41,17 @@ wait_for_listeners() { # count
     sleep 0.1
   done
 }
-record() { # file
+record() { # file [listeners, itself among them]
   candump -L vcan0 >/tmp/$1 2>/dev/null &
   recorder=$!
-  wait_for_listeners 2
+  wait_for_listeners ${2:-2}
 }
 stop_recording() {
   kill $recorder
   wait $recorder
 }
 
-touch /tmp/progress /tmp/refused /tmp/check /tmp/candump /tmp/burst /tmp/serial /tmp/adapter
+touch /tmp/progress /tmp/refused /tmp/check /tmp/candump /tmp/burst /tmp/serial /tmp/adapter /tmp/gateway /tmp/node /tmp/node_again
 media_vcan_check vcan0 >>/tmp/refused 2>&1
 for module in can can-raw can-dev vcan sch_tbf; do
   insmod /modules/$module.ko || fail "insmod $module"
@@ -173,4 +173,38 @@ wait_for serial 2 'up /dev/pts/0'
 cansend vcan0 7FF#
 wait $check
 say "serial ended with $?"
+
+# The gateway itself, node 12, with candump and cansend as its master.
+record node 1
+canopen-gateway --can2 socketcan:vcan0 --state /tmp/state >/tmp/gateway 2>&1 &
+gateway=$!
+wait_for gateway 1 'state Pre-Operational'
+wait_for node 1 ' 70C#00'
+cansend vcan0 60C#4018100100000000
+wait_for node 1 ' 58C#43181001'
+cansend vcan0 60C#2B171000F4010000
+wait_for node 1 ' 58C#80171000'
+cansend vcan0 000#010C
+wait_for gateway 1 'state Operational'
+wait_for node 3 ' 48C#'
+stop_recording
+say "gateway Operational"
+
+ip link set vcan0 down
+wait_for gateway 1 'CAN2 down: vcan0: the interface is down'
+wait_for gateway 1 'error 3072 ErrCanBus2'
+ip link set vcan0 up
+wait_for gateway 2 'CAN2 up: vcan0: the interface is up'
+record node_again
+wait_for node_again 1 ' 70C#7F'
+cansend vcan0 000#010C
+wait_for gateway 2 'state Operational'
+wait_for node_again 3 ' 48C#'
+stop_recording
+kill -USR1 $gateway
+wait_for gateway 1 ' 3172 SErrCanBus2  *1$'
+wait_for gateway 1 ' 12405 CanOpOnline  *1$'
+kill $gateway
+wait $gateway
+say "gateway ended with $?"
 finish

@@ -1,6 +1,6 @@
-"""Our SocketCAN channel on a real CAN interface of the kernel, against candump, cansend and cangen of can-utils: a
-Debian kernel in QEMU runs init.sh, and what that prints is checked here.
-   vcan_test.py MEDIA_VCAN_CHECK DIRECTORY_OF_THE_KERNEL"""
+"""Our SocketCAN channel and canopen-gateway on a real CAN interface of the kernel, against candump, cansend and cangen of
+can-utils: a Debian kernel in QEMU runs init.sh, and what that prints is checked here.
+   vcan_test.py MEDIA_VCAN_CHECK CANOPEN_GATEWAY DIRECTORY_OF_THE_KERNEL"""
 import pathlib
 import re
 import shutil
@@ -35,14 +35,16 @@ def add(root, source, target):
         shutil.copy(pathlib.Path(source).resolve(), path)
 
 
-def make_initramfs(directory, check, kernel):
+def make_initramfs(directory, check, gateway, kernel):
     root = directory / "root"
-    programs = {name: shutil.which(name, path=SEARCH) for name in IN_GUEST} | {"media_vcan_check": check}
+    programs = {name: shutil.which(name, path=SEARCH) for name in IN_GUEST} | {
+        "media_vcan_check": check, "canopen-gateway": gateway}
     for name, path in programs.items():
         add(root, path, f"bin/{name}")
         for library in libraries(path):
             add(root, library, library)
-    subprocess.run(["strip", "--strip-debug", str(root / "bin/media_vcan_check")], check=True)
+    subprocess.run(["strip", "--strip-debug", str(root / "bin/media_vcan_check"), str(root / "bin/canopen-gateway")],
+                   check=True)
     for module in MODULES:
         add(root, kernel / f"{module}.ko", f"modules/{module}.ko")
     add(root, pathlib.Path(__file__).parent / "init.sh", "init")
@@ -110,7 +112,7 @@ def problems_of(found):
 
     burst = [frame for frame in frames(found["burst"]) if frame.startswith("500#")]
     expect("burst", burst, [f"500#{number:02X}" for number in range(BURST)])
-    expect("exits", [line for line in found["progress"] if "ended" in line], ["ended with 0", "serial ended with 0"])
+    expect("exits", [line for line in found["progress"] if "ended" in line], ["ended with 0", "serial ended with 0", "gateway ended with 0"])
 
     expect("candump behind the serial adapter", frames(found["adapter"]),
            ["123#1122334455667788", "124#1122334455667788", "00012345#01", "00012346#01", "200#R", "201#R"])
@@ -123,11 +125,37 @@ def problems_of(found):
     dropped = re.search(r"dropped (\d+)", " ".join(found["progress"]))
     if dropped is None or int(dropped.group(1)) == 0:
         problems.append(f"the queue has refused nothing: {found['progress']}")
+    return problems + gateway_problems(found, expect)
+
+
+def gateway_problems(found, expect):
+    """`expect` collects what it finds; what else is wrong is returned."""
+    problems = []
+    node = frames(found["node"])
+    expect("first frame of the gateway", node[:1], ["70C#00"])
+    expect("SDO traffic", [frame for frame in node if frame[:4] in ("60C#", "58C#")],
+           ["60C#4018100100000000", "58C#4318100161010000", "60C#2B171000F4010000", "58C#8017100002000106"])
+    start = node.index("000#010C") if "000#010C" in node else 0
+    for what, listed in (("before its start", node[:start]), ("after its return, before its start",
+                         frames(found["node_again"])[:1])):
+        if any(frame.startswith(("18C#", "28C#", "38C#", "48C#")) for frame in listed):
+            problems.append(f"the gateway sends PDOs {what}: {listed}")
+    for name, length in (("18C", 16), ("28C", 8), ("38C", 4), ("48C", 16)):
+        if not any(re.fullmatch(f"{name}#[0-9A-F]{{{length}}}", frame) for frame in node[start:]):
+            problems.append(f"no TPDO {name} in {node}")
+    lines = [line[14:] for line in found["gateway"] if re.match(r"\d\d:\d\d:\d\d\.\d{3}  ", line)]
+    own = [line for line in lines if line.startswith(("CAN2", "state", "error 3072", "cleared 3072", "ends"))]
+    expect("lines of the gateway", own,
+           ["CAN2 up: vcan0: the interface is up", "state Init", "state Pre-Operational", "state Operational",
+            "CAN2 down: vcan0: the interface is down",
+            "error 3072 ErrCanBus2: CANopen bus faulty: look at cabling,", "state Pre-Operational",
+            "CAN2 up: vcan0: the interface is up", "state Operational", "cleared 3072 ErrCanBus2", "ends: SIGTERM"])
+    expect("error memory", [line for line in found["state"] if line.startswith("3172 ")], ["3172 1"])
     return problems
 
 
 def main():
-    check, kernel = pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2])
+    check, gateway, kernel = (pathlib.Path(argument) for argument in sys.argv[1:4])
     missing = [name for name in PROGRAMS if shutil.which(name, path=SEARCH) is None]
     if missing:
         skip(f"not installed: {', '.join(missing)}")
@@ -137,7 +165,7 @@ def main():
     if absent:
         skip(f"there is no kernel in {kernel} ({', '.join(absent)})")
     with tempfile.TemporaryDirectory(prefix="cgw-vcan-") as directory:
-        output = boot(kernel, make_initramfs(pathlib.Path(directory), check, kernel)).decode(errors="replace")
+        output = boot(kernel, make_initramfs(pathlib.Path(directory), check, gateway, kernel)).decode(errors="replace")
     found = sections(output.replace("\r", ""))
     if "progress" not in found or "check" not in found or not found["progress"]:
         print(f"the guest has said nothing of use:\n{output}")
