@@ -100,8 +100,8 @@ int run_verify(const Arguments& arguments) {
         return exit_environment;
     }
     const driver::CheckedFile file = driver::check_file(arguments.value("FILE"));
-    report_findings(file, use_color(arguments, stderr));
     if (!file.valid()) {
+        report_findings(file, use_color(arguments, stderr));
         return exit_code_of(file);
     }
     const auto plant = driver::Plant::make(file);

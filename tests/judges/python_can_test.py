@@ -1,49 +1,17 @@
 """python-can joins the hub with its own socketcand interface: what it sends arrives, what others send it reads."""
 import os
 import queue
-import re
-import signal
 import socket
-import subprocess
-import sys
 import threading
 import time
 import unittest
 
-try:
-    import can
-except ImportError:
-    print("skipped: python3-can is not installed")
-    sys.exit(77)
+from hub_test_case import CGW, DEADLINE, HOST, HubTest, can
 
-CGW = os.environ["CGW"]
 PEER = os.environ["CGW_HUB_PEER"]
-DEADLINE = 60
-# Loopback, but not the address from which connections are made: nobody takes the port of a hub that is away.
-HOST = "127.83.0.1"
 
 
-class PythonCan(unittest.TestCase):
-    def setUp(self):
-        self.hub = self.start([CGW, "hub", "--listen", f"{HOST}:0"])
-        self.port = int(re.search(r":(\d+),", self.hub.stdout.readline()).group(1))
-
-    def start(self, command):
-        process = subprocess.Popen(command, stdout=subprocess.PIPE, text=True)
-        self.addCleanup(self.end, process)
-        return process
-
-    def end(self, process):
-        if process.returncode is None:
-            process.send_signal(signal.SIGTERM)
-            process.communicate(timeout=DEADLINE)
-            self.assertEqual(process.returncode, 0)
-
-    def bus(self, channel="can0"):
-        bus = can.Bus(interface="socketcand", host=HOST, port=self.port, channel=channel)
-        self.addCleanup(bus.shutdown)
-        return bus
-
+class PythonCan(HubTest):
     def peer(self):
         """A client of ours, which answers even identifiers with the next one and the data reversed."""
         process = self.start([PEER, f"hub:{HOST}:{self.port}"])
