@@ -46,11 +46,11 @@ void Gateway::command(GovernorCommand command, canopen::Time now) {
     }
 }
 
-// The object dictionary is made anew by every initialisation (manual, chapter 3); errors stay (manual 9.5).
+// The object dictionary is made anew by every initialisation (manual, chapter 3); the errors of both devices
+// stay (manual 5.1.1, 9.5).
 void Gateway::initialise(GatewayState state) {
     slave_.initialise();
     std::copy(initial_values_.begin(), initial_values_.end(), values_.begin());
-    governor_errors_ = {};
     publish(state);
 }
 
@@ -60,6 +60,7 @@ void Gateway::publish(GatewayState state) {
     status.state = state;
     status.late_rpdos = late_rpdos();
     status.heartbeat_lost = slave_.heartbeat_monitor().tripped();
+    status.operational_entries = operational_entries_;
     errors_.set(Fault::receive_pdo_late, status.late_rpdos != 0);
     errors_.set(Fault::heartbeat_lost, status.heartbeat_lost);
     status.canopen_errors = errors_.canopen_errors();
@@ -165,6 +166,7 @@ void Gateway::follow_slave(canopen::Time now) {
 
 void Gateway::enter_operational(canopen::Time now) {
     errors_.clear();  // manual 9.5
+    ++operational_entries_;
     publish(GatewayState::operational);
     for (std::size_t position = 0; position < binary_pdos; ++position) {
         slave_.request(position);  // D53: each entry sends them once
@@ -175,17 +177,17 @@ void Gateway::enter_operational(canopen::Time now) {
     slave_.poll(now);
 }
 
-void Gateway::main_cycle(const GovernorData& data, canopen::Time now) {
+void Gateway::main_cycle(const GovernorData& data, canopen::Time now, unsigned elapsed) {
     if (!open_) {
         return;
     }
     hear_governor(now);
+    store(data);
     if (state() == GatewayState::undefined || state() == GatewayState::init) {
         return;
     }
-    store(data);
     if (state() == GatewayState::operational) {
-        request_transmit_pdos();
+        request_transmit_pdos(elapsed);
     }
     poll(now);
 }
@@ -202,7 +204,7 @@ canopen::Time Gateway::poll(canopen::Time now) {
 }
 
 void Gateway::hear_governor(canopen::Time now) {
-    governor_deadline_ = now + governor_silence;
+    governor_deadline_ = std::max(now, start_up_end_) + governor_silence;
     if (errors_.present(Fault::governor_silent)) {
         report(Fault::governor_silent, false, now);
     }
@@ -227,7 +229,7 @@ void Gateway::follow_monitors() {
 canopen::Time Gateway::announce(canopen::Time now) {
     if (now >= next_announcement_) {
         next_announcement_ = now + announcement_period;
-        if (state() == GatewayState::pre_operational) {
+        if (state() == GatewayState::pre_operational || state() == GatewayState::stopped) {
             slave_.announce(now);
         }
     }

@@ -42,7 +42,7 @@ class Gateway {
     GatewayState state() const { return status_.state; }
     const GatewayStatus& status() const { return status_; }
     const GatewayErrors& errors() const { return errors_; }
-    // The permanent error memory, kept by whoever runs the gateway; after open().
+    // The permanent error memory of former runs, kept by whoever runs the gateway; once. A reset keeps it.
     void restore(const std::array<std::uint8_t, GatewayErrors::error_count>& sentinels) {
         errors_.restore(sentinels);
     }
@@ -57,8 +57,9 @@ class Gateway {
     // From the governor. Undefined and Init are obeyed in every state unless an error forbids CANopen;
     // Pre-Operational ends an initialisation and is ignored outside Init.
     void command(GovernorCommand command, canopen::Time now);
-    // Once per governor main cycle, the rhythm of all transmit PDOs.
-    void main_cycle(const GovernorData& data, canopen::Time now);
+    // Once per governor main cycle, the rhythm of all transmit PDOs. `elapsed`: how many main cycles have
+    // passed since the last call, more than one when data of some did not get through; at least 1.
+    void main_cycle(const GovernorData& data, canopen::Time now, unsigned elapsed = 1);
 
     // From CAN2.
     void receive(const frame::Frame& frame, canopen::Time now);
@@ -112,14 +113,16 @@ class Gateway {
     void store(const GovernorData& data);
     void store_analogue(std::size_t position, const PdoWords& words);
     void set(const object::ObjectEntry& entry, std::uint32_t value);
-    void request_transmit_pdos();
+    void request_transmit_pdos(unsigned elapsed);
     void forward(std::size_t rpdo_row);
 
     GovernorLink* governor_;
     canopen::Slave slave_;
     GatewayStatus status_;
     GatewayErrors errors_;
+    std::uint8_t operational_entries_ = 0;
     std::array<std::uint16_t, error_words> governor_errors_{};
+    canopen::Time start_up_end_ = 0;  // 400: nobody is missed before
     canopen::Time governor_deadline_ = canopen::never;
     canopen::Time next_announcement_ = canopen::never;
     bool open_ = false;

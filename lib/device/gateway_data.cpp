@@ -15,7 +15,7 @@ constexpr std::uint8_t error_register_communication = 0x10;  // D58: 2005h is no
 
 }  // namespace
 
-void Gateway::request_transmit_pdos() {
+void Gateway::request_transmit_pdos(unsigned elapsed) {
     for (std::size_t position = 0; position < binary_pdos; ++position) {
         slave_.request_if_changed(position);
     }
@@ -24,11 +24,13 @@ void Gateway::request_transmit_pdos() {
         if (rhythm.cycles == 0) {
             continue;
         }
-        if (rhythm.left == 0) {
+        if (rhythm.left < elapsed) {
             slave_.request(position);
-            rhythm.left = rhythm.cycles;
+            const unsigned late = (elapsed - 1 - rhythm.left) % rhythm.cycles;
+            rhythm.left = static_cast<std::uint16_t>(rhythm.cycles - 1 - late);
+        } else {
+            rhythm.left = static_cast<std::uint16_t>(rhythm.left - elapsed);
         }
-        --rhythm.left;
     }
 }
 

@@ -1,13 +1,17 @@
 #include "device/gateway_errors.hpp"
 
+#include <algorithm>
+
 namespace cgw::device {
 namespace {
 
 using enum Fault;
 
+constexpr unsigned most_counted = 255;
+
 // GWM 9.4 and 9.5; what is not printed there is D45.
 constexpr std::array<FaultRow, fault_count> rows{{
-    {governor_reset, 0, 12411, Reaction::none, Clearing::on_request},
+    {governor_reset, 0, 12411, Reaction::undefined, Clearing::on_request},
     {initialisation, 0, 12412, Reaction::undefined, Clearing::on_request},
     {receive_pdo_late, 0, 12413, Reaction::none, Clearing::by_itself},
     {governor_can_bus, 0, 12414, Reaction::undefined, Clearing::on_request},
@@ -120,10 +124,23 @@ void GatewayErrors::update() {
     count(before);
 }
 
+void GatewayErrors::restore(const std::array<std::uint8_t, error_count>& sentinels) {
+    for (std::size_t i = 0; i < error_count; ++i) {
+        const unsigned sum = unsigned{sentinels_[i]} + sentinels[i];
+        sentinels_[i] = static_cast<std::uint8_t>(std::min(sum, most_counted));
+    }
+}
+
+void GatewayErrors::reset() {
+    const std::array<std::uint8_t, error_count> kept = sentinels_;
+    *this = {};
+    sentinels_ = kept;
+}
+
 void GatewayErrors::count(const std::array<std::uint16_t, facts::error_words>& before) {
     for (std::size_t i = 0; i < error_count; ++i) {
         const bool appeared = has_bit(words_, first_error + i) && !has_bit(before, first_error + i);
-        if (appeared && sentinels_[i] != 0xFF) {
+        if (appeared && sentinels_[i] != most_counted) {
             ++sentinels_[i];
         }
     }

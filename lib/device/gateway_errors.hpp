@@ -84,7 +84,10 @@ class GatewayErrors {
     // How often each of 3070..3094 has appeared, at most 255: the sentinels 3170..3194, which outlive a
     // reset.
     const std::array<std::uint8_t, error_count>& sentinels() const { return sentinels_; }
-    void restore(const std::array<std::uint8_t, error_count>& sentinels) { sentinels_ = sentinels; }
+    // Adds what was counted before.
+    void restore(const std::array<std::uint8_t, error_count>& sentinels);
+    // As after a reset: only the sentinels stay.
+    void reset();
 
   private:
     static constexpr std::uint32_t bit(Fault fault) { return 1U << static_cast<unsigned>(fault); }

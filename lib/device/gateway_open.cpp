@@ -36,13 +36,16 @@ OpenStatus Gateway::open(const image::Image& image, canopen::Time now) {
         errors_.set(Fault::data, true);
         publish(GatewayState::undefined);
     }
+    governor_->status_changed(status_);  // whatever it knew of the time before
     return status;
 }
 
 OpenStatus Gateway::take(const image::Image& image, canopen::Time now) {
     open_ = false;
     slave_.initialise();
-    errors_ = {};
+    errors_.reset();
+    status_ = {};
+    operational_entries_ = 0;
     governor_errors_ = {};
     if (image.initial_values().size() > value_capacity) {
         return OpenStatus::values_too_large;
@@ -117,7 +120,8 @@ void Gateway::configure(const image::Image& image, canopen::Time now) {
     tables.partner_period = image.heartbeat().consumer_us;
     slave_.configure(tables);
     // 400: for so long after a reset nobody is missed.
-    governor_deadline_ = now + canopen::Time{image.can1().start_up_delay_ms} * 1000 + governor_silence;
+    start_up_end_ = now + canopen::Time{image.can1().start_up_delay_ms} * 1000;
+    governor_deadline_ = start_up_end_ + governor_silence;
     next_announcement_ = canopen::never;
     initialise(GatewayState::undefined);
 }

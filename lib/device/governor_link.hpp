@@ -37,6 +37,7 @@ struct GatewayStatus {
     std::array<std::uint16_t, error_words> errors{};  // the Gateway's own share of 2000h:1..6
     std::uint8_t late_rpdos = 0;                      // bit r - 1: the monitoring of RPDO r has tripped
     bool heartbeat_lost = false;
+    std::uint8_t operational_entries = 0;  // counted from the reset on, so that none goes unnoticed
 
     friend bool operator==(const GatewayStatus&, const GatewayStatus&) = default;
 };

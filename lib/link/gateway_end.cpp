@@ -8,15 +8,6 @@ namespace {
 using device::Fault;
 using device::GovernorCommand;
 
-// Places in the outbox, the most urgent first.
-enum Place : std::size_t {
-    status_place,
-    refusal_place,
-    first_errors_place,
-    last_errors_place,
-    process_data_place
-};
-
 }  // namespace
 
 void GatewayEnd::open(const image::Image& image, std::uint8_t boot) {
@@ -28,6 +19,13 @@ void GatewayEnd::open(const image::Image& image, std::uint8_t boot) {
     status_ = {};
     data_ = {};
     next_status_ = 0;
+    own_clearings_ = 0;
+    spacing_ = image.governor().main_cycle_us;
+    next_news_ = 0;
+    status_news_ = false;
+    error_news_ = false;
+    process_data_news_ = 0;
+    duplicate_until_ = canopen::never;
     heard_ = false;
     commanded_ = false;
     answer_ = Answer::none;
@@ -40,7 +38,7 @@ void GatewayEnd::receive(const frame::Frame& frame, Time now) {
         return;
     }
     if (telegram->from == self_) {
-        strike(Fault::node_number_twice, now);  // somebody else has our number
+        notice_duplicate(now);
     }
     if (telegram->to != self_ || telegram->from != governor_) {
         return;
@@ -99,13 +97,33 @@ void GatewayEnd::obey(GovernorCommand command, std::uint8_t flags, Time now) {
     }
     gateway_->command(command, now);
     // An error may forbid it.
-    const bool obeyed = command != GovernorCommand::init || gateway_->state() == device::GatewayState::init;
+    const device::GatewayState state = gateway_->state();
+    const bool running = state != device::GatewayState::undefined && state != device::GatewayState::init;
+    const bool obeyed = command == GovernorCommand::undefined ||
+                        (command == GovernorCommand::init ? state == device::GatewayState::init : running);
     answer_ = obeyed ? Answer::accepted : Answer::refused;
 }
 
 void GatewayEnd::strike(Fault fault, Time now) {
     gateway_->report(fault, true, now);
     gateway_->report(fault, false, now);
+}
+
+// Somebody else has our number (3071), and may have it as long as it is heard.
+void GatewayEnd::notice_duplicate(Time now) {
+    duplicate_until_ = now + silence;
+    gateway_->report(Fault::node_number_twice, true, now);
+}
+
+void GatewayEnd::forget_duplicate(Time now) {
+    duplicate_until_ = canopen::never;
+    gateway_->report(Fault::node_number_twice, false, now);
+}
+
+void GatewayEnd::clear_errors(Time now) {
+    ++own_clearings_;
+    status_news_ = true;
+    gateway_->clear_errors(now);
 }
 
 void GatewayEnd::compare(const Telegram& telegram) {
@@ -182,6 +200,9 @@ void GatewayEnd::complete_cycle(const Telegram& telegram, Time now) {
     const std::uint8_t flags = telegram.data[5];
     const std::uint8_t boot = telegram.data[6];
     const std::uint8_t clearings = telegram.data[7];
+    const auto cycles = static_cast<std::uint8_t>(flags >> cycle::count_shift);
+    const unsigned counted = unsigned(cycles - cycles_) & cycle::count_mask;
+    const bool first = !heard_ || boot != governor_boot_ || counted == 0;
     if (heard_ && boot != governor_boot_) {
         strike(Fault::governor_reset, now);
     } else if (heard_ && clearings != clearings_) {
@@ -190,70 +211,10 @@ void GatewayEnd::complete_cycle(const Telegram& telegram, Time now) {
     heard_ = true;
     governor_boot_ = boot;
     clearings_ = clearings;
+    cycles_ = cycles;
     gateway_->report(Fault::governor_can_bus, (flags & cycle::can_bus_error) != 0, now);
     gateway_->report(Fault::governor_can_comm, (flags & cycle::can_comm_error) != 0, now);
-    gateway_->main_cycle(data_, now);
-}
-
-Time GatewayEnd::poll(Time now) {
-    if (now >= next_status_) {
-        tell_status();
-        tell_errors();
-        next_status_ = now + status_period;
-    }
-    outbox_.send(*port_);
-    return next_status_;
-}
-
-void GatewayEnd::follow(const device::GatewayStatus& status) {
-    const bool errors = status.errors != status_.errors;
-    status_ = status;
-    tell_status();
-    if (errors) {
-        tell_errors();
-    }
-}
-
-void GatewayEnd::tell_status() {
-    frame::Frame frame = make_telegram(kind_of(Kind::status), self_, governor_, status::length);
-    frame.data[0] = static_cast<std::uint8_t>(status_.state);
-    wire::store_u16(&frame.data[1], status_.canopen_errors);
-    frame.data[3] = status_.late_rpdos;
-    frame.data[4] = status_.heartbeat_lost ? status::heartbeat_lost : std::uint8_t{0};
-    frame.data[5] = boot_;
-    frame.data[6] = sequence_;
-    frame.data[7] = static_cast<std::uint8_t>(commanded_ ? answer_ : Answer::none);
-    outbox_.put(status_place, frame);
-}
-
-void GatewayEnd::tell_errors() {
-    frame::Frame first = make_telegram(kind_of(Kind::own_errors_first), self_, governor_, 8);
-    for (std::size_t word = 0; word < words_in_first_errors; ++word) {
-        wire::store_u16(&first.data[facts::word_bytes * word], status_.errors[word]);
-    }
-    frame::Frame last = make_telegram(kind_of(Kind::own_errors_last), self_, governor_, 4);
-    wire::store_u16(last.data.data(), status_.errors[4]);
-    wire::store_u16(&last.data[2], status_.errors[5]);
-    outbox_.put(first_errors_place, first);
-    outbox_.put(last_errors_place, last);
-}
-
-void GatewayEnd::tell_refusal() {
-    frame::Frame frame = make_telegram(kind_of(Kind::refusal), self_, governor_, refusal::length);
-    frame.data[0] =
-        refusal_.incomplete ? refusal::incomplete : static_cast<std::uint8_t>(refusal_.expected.kind);
-    frame.data[1] = refusal_.expected.position;
-    wire::store_u16(&frame.data[2], refusal_.received);
-    wire::store_u16(&frame.data[4], refusal_.expected.value);
-    outbox_.put(refusal_place, frame);
-}
-
-void GatewayEnd::forward(std::uint8_t rpdo, const device::PdoWords& words) {
-    frame::Frame frame = make_telegram(kind_of(Kind::process_data, rpdo), self_, governor_, 8);
-    for (std::size_t word = 0; word < words.size(); ++word) {
-        wire::store_u16(&frame.data[facts::word_bytes * word], words[word]);
-    }
-    outbox_.put(process_data_place + rpdo - 1U, frame);
+    gateway_->main_cycle(data_, now, first ? 1 : counted);
 }
 
 }  // namespace cgw::link

@@ -2,6 +2,7 @@
 // the governor's half of the configuration with the gateway's image (D56).
 #pragma once
 
+#include <array>
 #include <cstdint>
 
 #include "device/gateway.hpp"
@@ -29,7 +30,11 @@ class GatewayEnd final : public device::GovernorLink {
     void open(const image::Image& image, std::uint8_t boot);
 
     void receive(const frame::Frame& frame, Time now);
-    // Sends what waits. Returns when time alone will make something due.
+    // "Clear errors" at the gateway: clears its own, and lets the governor try to initialise it again.
+    void clear_errors(Time now);
+
+    // Sends what waits; receive PDOs and changes of status at most once per main cycle of the governor, so
+    // that no traffic on CAN2 takes CAN1 away from it. Returns when time alone will make something due.
     Time poll(Time now);
     bool pending() const { return outbox_.pending(); }
 
@@ -44,6 +49,8 @@ class GatewayEnd final : public device::GovernorLink {
     void obey(const Telegram& telegram, Time now);
     void obey(device::GovernorCommand command, std::uint8_t flags, Time now);
     void strike(device::Fault fault, Time now);
+    void notice_duplicate(Time now);
+    void forget_duplicate(Time now);
     void compare(const Telegram& telegram);
     void refuse(const Refusal& refusal);
     void conclude(const Telegram& telegram);
@@ -52,7 +59,9 @@ class GatewayEnd final : public device::GovernorLink {
     void complete_cycle(const Telegram& telegram, Time now);
     void follow(const device::GatewayStatus& status);
     void forward(std::uint8_t rpdo, const device::PdoWords& words);
+    void tell_news(Time now);
     void tell_status();
+    void tell_process_data();
     void tell_errors();
     void tell_refusal();
 
@@ -66,11 +75,23 @@ class GatewayEnd final : public device::GovernorLink {
     device::GovernorData data_;
     Time next_status_ = 0;
     std::uint8_t boot_ = 0;
+    std::uint8_t own_clearings_ = 0;
+
+    // What changed since it was told.
+    Time spacing_ = 0;  // us
+    Time next_news_ = 0;
+    bool status_news_ = false;
+    bool error_news_ = false;
+    std::uint8_t process_data_news_ = 0;  // bit r - 1: RPDO r
+    std::array<device::PdoWords, facts::rpdo_count> process_data_{};
+
+    Time duplicate_until_ = canopen::never;  // another device with our number was heard
 
     // Of the governor, once `heard_`.
     bool heard_ = false;
     std::uint8_t governor_boot_ = 0;
     std::uint8_t clearings_ = 0;
+    std::uint8_t cycles_ = 0;
 
     bool commanded_ = false;
     std::uint8_t sequence_ = 0;

@@ -1,5 +1,6 @@
 #include "link/governor_end.hpp"
 
+#include "device/gateway_errors.hpp"
 #include "wire/little_endian.hpp"
 
 namespace cgw::link {
@@ -18,6 +19,13 @@ enum Place : std::size_t {
 // Configuration telegrams in one main cycle: few enough to leave room for the data of a running plant.
 constexpr std::size_t items_at_once = 4;
 
+// It shows 12412.
+bool knows_failure(const device::GatewayStatus& gateway) {
+    const unsigned bit =
+        device::row_of(device::Fault::initialisation).canopen_error - facts::first_canopen_error;
+    return ((unsigned{gateway.canopen_errors} >> bit) & 1U) != 0;
+}
+
 }  // namespace
 
 void GovernorEnd::open(const image::Image& image, std::uint8_t boot) {
@@ -30,18 +38,30 @@ void GovernorEnd::open(const image::Image& image, std::uint8_t boot) {
     failed_attempts_ = 0;
     heard_ = false;
     gateway_was_reset_ = false;
+    lost_ = false;
     next_attempt_ = 0;
     status_ = {};
     send_everything_ = true;
 }
 
 void GovernorEnd::main_cycle(const device::GovernorData& data, std::uint8_t flags, Time now) {
-    if (!online(now) && phase_ != Phase::given_up) {
-        phase_ = Phase::searching;
+    if (heard_ && !lost_ && !online(now)) {
+        lose_gateway();
     }
-    send_data(data, flags);
+    const std::uint8_t lost = lost_ ? cycle::can_comm_error : std::uint8_t{0};
+    send_data(data, static_cast<std::uint8_t>(flags | lost));
     step(now);
     outbox_.send(*port_);
+}
+
+// Nothing that it said before counts any more (D55).
+void GovernorEnd::lose_gateway() {
+    lost_ = true;
+    status_ = {};
+    if (phase_ != Phase::given_up) {
+        phase_ = Phase::searching;
+    }
+    listener_->gateway_status(status_);
 }
 
 void GovernorEnd::step(Time now) {
@@ -61,16 +81,20 @@ void GovernorEnd::step(Time now) {
                 fail(now);
             }
             break;
-        case Phase::running:
         case Phase::given_up:
+            if (online(now) && !knows_failure(status_) && now - phase_began_ > silence) {
+                command(GovernorCommand::undefined, command::given_up, Phase::given_up, now);
+            }
+            break;
+        case Phase::running:
             break;
     }
 }
 
 void GovernorEnd::begin(Time now) {
     next_item_ = 0;
+    send_everything_ = true;  // the gateway begins with nothing
     const std::uint8_t flags = gateway_was_reset_ ? command::gateway_was_reset : std::uint8_t{0};
-    gateway_was_reset_ = false;
     command(GovernorCommand::init, flags, Phase::initialising, now);
 }
 
@@ -118,6 +142,25 @@ void GovernorEnd::conclude(Time now) {
 }
 
 void GovernorEnd::send_data(const device::GovernorData& data, std::uint8_t flags) {
+    cycles_ = static_cast<std::uint8_t>((cycles_ + 1) & cycle::count_mask);
+    if (outbox_.pending(cycle_place)) {
+        return;  // CAN1 is slower than the governor; a newer set every time would never be complete
+    }
+    send_analogue(data);
+    send_errors(data);
+    frame::Frame last = make_telegram(kind_of(Kind::cycle), self_, gateway_, cycle::length);
+    wire::store_u16(last.data.data(), data.errors[4]);
+    wire::store_u16(&last.data[2], data.errors[5]);
+    last.data[4] = static_cast<std::uint8_t>(data.engine_state);
+    last.data[5] = static_cast<std::uint8_t>(flags | cycles_ << cycle::count_shift);
+    last.data[6] = boot_;
+    last.data[7] = clearings_;
+    outbox_.put(cycle_place, last);
+    sent_ = data;
+    send_everything_ = false;
+}
+
+void GovernorEnd::send_analogue(const device::GovernorData& data) {
     for (std::size_t i = 0; i < data.analogue.size(); ++i) {
         if (!send_everything_ && data.analogue[i] == sent_.analogue[i]) {
             continue;
@@ -129,99 +172,17 @@ void GovernorEnd::send_data(const device::GovernorData& data, std::uint8_t flags
         }
         outbox_.put(analogue_place + i, frame);
     }
-    frame::Frame errors = make_telegram(kind_of(Kind::errors_first), self_, gateway_, 8);
+}
+
+void GovernorEnd::send_errors(const device::GovernorData& data) {
+    frame::Frame frame = make_telegram(kind_of(Kind::errors_first), self_, gateway_, 8);
     bool changed = send_everything_;
     for (std::size_t word = 0; word < words_in_first_errors; ++word) {
-        wire::store_u16(&errors.data[facts::word_bytes * word], data.errors[word]);
+        wire::store_u16(&frame.data[facts::word_bytes * word], data.errors[word]);
         changed = changed || data.errors[word] != sent_.errors[word];
     }
     if (changed) {
-        outbox_.put(errors_place, errors);
-    }
-    frame::Frame last = make_telegram(kind_of(Kind::cycle), self_, gateway_, cycle::length);
-    wire::store_u16(last.data.data(), data.errors[4]);
-    wire::store_u16(&last.data[2], data.errors[5]);
-    last.data[4] = static_cast<std::uint8_t>(data.engine_state);
-    last.data[5] = flags;
-    last.data[6] = boot_;
-    last.data[7] = clearings_;
-    outbox_.put(cycle_place, last);
-    sent_ = data;
-    send_everything_ = false;
-}
-
-void GovernorEnd::receive(const frame::Frame& frame, Time now) {
-    const std::optional<Telegram> telegram = read_telegram(frame);
-    if (!telegram || telegram->to != self_ || telegram->from != gateway_) {
-        return;
-    }
-    if (telegram->kind == kind_of(Kind::status)) {
-        hear_status(*telegram, now);
-    } else if (telegram->kind == kind_of(Kind::refusal)) {
-        hear_refusal(*telegram);
-    } else if (telegram->kind == kind_of(Kind::own_errors_first) && telegram->length == 8) {
-        for (std::size_t word = 0; word < words_in_first_errors; ++word) {
-            status_.errors[word] = wire::load_u16(telegram->data + facts::word_bytes * word);
-        }
-        listener_->gateway_status(status_);
-    } else if (telegram->kind == kind_of(Kind::own_errors_last) && telegram->length >= 4) {
-        status_.errors[4] = wire::load_u16(telegram->data);
-        status_.errors[5] = wire::load_u16(telegram->data + 2);
-        listener_->gateway_status(status_);
-    } else {
-        hear_process_data(*telegram);
-    }
-}
-
-void GovernorEnd::hear_status(const Telegram& telegram, Time now) {
-    if (telegram.length < status::length ||
-        telegram.data[0] > static_cast<std::uint8_t>(device::GatewayState::stopped)) {
-        return;
-    }
-    const std::uint8_t boot = telegram.data[5];
-    if (heard_ && boot != gateway_boot_) {
-        gateway_was_reset_ = true;
-        send_everything_ = true;
-        if (phase_ != Phase::given_up) {
-            phase_ = Phase::searching;
-        }
-    }
-    heard_ = true;
-    last_heard_ = now;
-    gateway_boot_ = boot;
-    status_.state = static_cast<device::GatewayState>(telegram.data[0]);
-    status_.canopen_errors = wire::load_u16(telegram.data + 1);
-    status_.late_rpdos = telegram.data[3];
-    status_.heartbeat_lost = (telegram.data[4] & status::heartbeat_lost) != 0;
-    listener_->gateway_status(status_);
-    if (telegram.data[6] == sequence_ && telegram.data[7] <= static_cast<std::uint8_t>(Answer::refused)) {
-        follow_answer(static_cast<Answer>(telegram.data[7]), now);
-    }
-    const bool fallen =
-        status_.state == device::GatewayState::undefined || status_.state == device::GatewayState::init;
-    if (phase_ == Phase::running && fallen) {
-        phase_ = Phase::searching;  // an error, or a reset by the master
-        failed_attempts_ = 0;
-    }
-}
-
-void GovernorEnd::follow_answer(Answer answer, Time now) {
-    if (answer == Answer::none) {
-        return;
-    }
-    if (phase_ == Phase::initialising) {
-        const bool accepted = answer == Answer::accepted;
-        phase_ = accepted ? Phase::configuring : Phase::searching;
-        next_attempt_ = accepted ? now : now + silence;  // an error of the gateway forbids it; it will tell
-    } else if (phase_ == Phase::concluding || phase_ == Phase::starting) {
-        if (answer == Answer::refused) {
-            fail(now);
-        } else if (phase_ == Phase::concluding) {
-            command(GovernorCommand::pre_operational, 0, Phase::starting, now);
-        } else {
-            phase_ = Phase::running;
-            failed_attempts_ = 0;
-        }
+        outbox_.put(errors_place, frame);
     }
 }
 
@@ -234,27 +195,12 @@ void GovernorEnd::fail(Time now) {
     }
 }
 
-void GovernorEnd::hear_refusal(const Telegram& telegram) {
-    if (telegram.length >= refusal::length) {
-        refusal_ = {telegram.data[0], telegram.data[1], wire::load_u16(telegram.data + 2),
-                    wire::load_u16(telegram.data + 4)};
-    }
-}
-
-void GovernorEnd::hear_process_data(const Telegram& telegram) {
-    const unsigned rpdo = telegram.kind - kind_of(Kind::process_data);
-    if (rpdo < 1 || rpdo > facts::rpdo_count || telegram.length < 8) {
-        return;
-    }
-    device::PdoWords words{};
-    for (std::size_t word = 0; word < words.size(); ++word) {
-        words[word] = wire::load_u16(telegram.data + facts::word_bytes * word);
-    }
-    listener_->process_data(static_cast<std::uint8_t>(rpdo), words);
-}
-
 void GovernorEnd::clear_errors() {
     ++clearings_;
+    allow_attempts();
+}
+
+void GovernorEnd::allow_attempts() {
     failed_attempts_ = 0;
     if (phase_ == Phase::given_up) {
         phase_ = Phase::searching;

@@ -48,7 +48,8 @@ class GovernorEnd {
     // `boot` differs from the number of the reset before.
     void open(const image::Image& image, std::uint8_t boot);
 
-    // Once per main cycle of the governor. `flags` are those of link::cycle.
+    // Once per main cycle of the governor. `flags` are those of link::cycle; a gateway that was lost is
+    // added. While CAN1 has not taken the data of the main cycle before, newer data wait for the next call.
     void main_cycle(const device::GovernorData& data, std::uint8_t flags, Time now);
     void receive(const frame::Frame& frame, Time now);
     // Offers what the port did not take before.
@@ -68,6 +69,9 @@ class GovernorEnd {
     void hear_status(const Telegram& telegram, Time now);
     void hear_refusal(const Telegram& telegram);
     void hear_process_data(const Telegram& telegram);
+    void hear_boot(std::uint8_t boot, std::uint8_t clearings);
+    void lose_gateway();
+    void allow_attempts();
     void follow_answer(Answer answer, Time now);
     void fail(Time now);
     void begin(Time now);
@@ -77,6 +81,8 @@ class GovernorEnd {
     frame::Frame next_items();
     void conclude(Time now);
     void send_data(const device::GovernorData& data, std::uint8_t flags);
+    void send_analogue(const device::GovernorData& data);
+    void send_errors(const device::GovernorData& data);
 
     frame::FramePort* port_;
     GovernorListener* listener_;
@@ -87,6 +93,7 @@ class GovernorEnd {
     Phase phase_ = Phase::searching;
     std::uint8_t boot_ = 0;
     std::uint8_t clearings_ = 0;
+    std::uint8_t cycles_ = 0;
     std::uint8_t sequence_ = 0;
     std::uint16_t next_item_ = 0;
     unsigned failed_attempts_ = 0;
@@ -99,6 +106,8 @@ class GovernorEnd {
     Time last_heard_ = 0;
     std::uint8_t gateway_boot_ = 0;
     bool gateway_was_reset_ = false;
+    std::uint8_t gateway_clearings_ = 0;
+    bool lost_ = false;  // heard before, and silent now
     device::GatewayStatus status_;
 
     device::GovernorData sent_;  // by the last telegrams

@@ -14,6 +14,7 @@ class Outbox {
 
     // `place` < capacity; smaller ones go first. A telegram still waiting there is replaced.
     void put(std::size_t place, const frame::Frame& frame);
+    void withdraw(std::size_t place) { waiting_ &= ~(1U << place); }
     void clear() { waiting_ = 0; }
     bool pending() const { return waiting_ != 0; }
     bool pending(std::size_t place) const { return ((waiting_ >> place) & 1U) != 0; }

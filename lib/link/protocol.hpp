@@ -28,11 +28,18 @@ namespace cycle {  // 2000h:5, 2000h:6, engine state, flags, boot number, cleari
 inline constexpr std::uint8_t length = 8;
 inline constexpr std::uint8_t can_bus_error = 0x01;   // the governor's own 3070: 12414
 inline constexpr std::uint8_t can_comm_error = 0x02;  // its 3071: 12415
+// Above them the main cycles of the governor are counted, those included whose data were not sent.
+inline constexpr unsigned count_shift = 2;
+inline constexpr std::uint8_t count_mask = 0x3F;
 }  // namespace cycle
 
-namespace status {  // state, 2005h, late RPDOs, flags, boot number, sequence, Answer
+namespace status {  // state, 2005h, late RPDOs and clearings, flags and entries, boot number, sequence,
+                    // Answer
 inline constexpr std::uint8_t length = 8;
+inline constexpr std::uint8_t late_rpdos_mask = 0x0F;
+inline constexpr unsigned clearings_shift = 4;  // "clear errors" at the gateway, counted
 inline constexpr std::uint8_t heartbeat_lost = 0x01;
+inline constexpr unsigned entries_shift = 1;  // entries into Operational, counted
 }  // namespace status
 
 // What the gateway made of the last command or of the configuration.

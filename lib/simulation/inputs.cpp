@@ -10,7 +10,8 @@ constexpr std::size_t flags_word = 2;  // RPDO1 word 3 (D25)
 }  // namespace
 
 void CanopenInputs::follow(const device::GatewayStatus& gateway) {
-    if (gateway.state != gateway_.state) {
+    const bool entered = gateway.operational_entries != gateway_.operational_entries;
+    if (gateway.state != gateway_.state || entered) {
         received_.fill(false);
         words_ = {};
     }

@@ -67,7 +67,7 @@ TEST_F(GatewayFaults, goes_to_undefined_only_once_for_a_cause_that_stays) {
 
 TEST_F(GatewayFaults, misses_a_silent_governor_after_half_a_second) {
     start();
-    run_until(100'000);
+    run_until(2'000'000);  // beyond 400
     gateway_.poll(now_ + Gateway::governor_silence - 1);
     EXPECT_EQ(gateway_.state(), GatewayState::operational);
     gateway_.poll(now_ + Gateway::governor_silence);
@@ -113,6 +113,67 @@ TEST_F(GatewayFaults, announces_itself_with_boot_ups_where_it_has_no_heartbeat) 
     start();
     report(Fault::can2_bus);
     EXPECT_EQ(run_until(1'100'000), (std::vector(3, make_frame(0x705, {0x00}))));
+}
+
+TEST_F(GatewayFaults, announces_itself_in_stopped_too) {
+    start();
+    nmt(NmtCommand::stop);
+    report(Fault::can2_bus);
+    nmt(NmtCommand::stop);
+    EXPECT_EQ(gateway_.state(), GatewayState::stopped);
+    EXPECT_EQ(run_until(now_ + 600'000), (std::vector(2, make_frame(0x705, {0x04}))));
+}
+
+TEST_F(GatewayFaults, aborts_pdo_communication_at_once_when_the_governor_was_reset) {
+    start();
+    report(Fault::governor_reset);
+    report(Fault::governor_reset, false);
+    EXPECT_TRUE(cycle().empty());
+    nmt(NmtCommand::stop);
+    nmt(NmtCommand::start);
+    EXPECT_TRUE(cycle().empty());
+    EXPECT_EQ(gateway_.errors().canopen_errors(), 1U << 0);
+    initialise();
+    port_.take();
+    EXPECT_EQ(upload(0x2005, 0), 1U << 0);
+    nmt(NmtCommand::start);
+    EXPECT_EQ(gateway_.errors().canopen_errors(), 0);
+}
+
+TEST_F(GatewayFaults, misses_nobody_within_the_start_up_delay) {
+    start();  // 400 is 1500 ms
+    now_ = 1'400'000;
+    gateway_.poll(now_);
+    EXPECT_EQ(gateway_.state(), GatewayState::operational);
+    now_ = 1'999'999;
+    gateway_.poll(now_);
+    EXPECT_EQ(gateway_.state(), GatewayState::operational);
+    now_ = 2'000'000;
+    gateway_.poll(now_);
+    EXPECT_EQ(gateway_.state(), GatewayState::undefined);
+    EXPECT_EQ(gateway_.errors().canopen_errors(), 1U << 11);
+}
+
+TEST_F(GatewayFaults, keeps_its_sentinels_through_resets_also_of_a_refused_image) {
+    std::array<std::uint8_t, GatewayErrors::error_count> before{};
+    before[3072 - 3070] = 7;
+    gateway_.restore(before);
+    start();
+    report(Fault::can2_bus);
+    plant_.dictionary.objects.pop_back();  // 2005h
+    EXPECT_EQ(open(), OpenStatus::object_missing);
+    EXPECT_EQ(gateway_.errors().sentinels()[3072 - 3070], 8);
+    EXPECT_EQ(gateway_.errors().sentinels()[3090 - 3070], 1);
+    EXPECT_EQ(gateway_.errors().canopen_errors(), 0);
+}
+
+TEST_F(GatewayFaults, tells_the_governor_of_each_refused_image) {
+    plant_.dictionary.objects.pop_back();  // 2005h
+    for (int i = 0; i < 2; ++i) {
+        link_.status = {};
+        EXPECT_EQ(open(), OpenStatus::object_missing);
+        EXPECT_EQ(link_.status.errors[5], 1U << 10);  // 3090
+    }
 }
 
 TEST_F(GatewayFaults, does_not_announce_itself_before_it_is_initialised) {

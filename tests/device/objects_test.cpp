@@ -85,14 +85,25 @@ TEST_F(GatewayObjects, shows_a_canopen_error_in_bit_4_of_the_error_register) {
 TEST_F(GatewayObjects, makes_the_dictionary_anew_with_each_initialisation) {
     start();
     gateway_.receive(make_frame(0x305, {0x34, 0x12}), now_);
-    data_.errors[0] = 9;
-    cycle();
+    EXPECT_EQ(upload(0x2004, 1), 0x1234U);
     nmt(NmtCommand::reset_node);
     command(GovernorCommand::init);
     command(GovernorCommand::pre_operational);
     port_.take();
     EXPECT_EQ(upload(0x2004, 1), 0U);
-    EXPECT_EQ(upload(0x2000, 1), 0U);
+}
+
+TEST_F(GatewayObjects, keeps_the_governors_errors_through_an_initialisation) {
+    start();
+    data_.errors[0] = 9;
+    nmt(NmtCommand::reset_node);
+    cycle();
+    command(GovernorCommand::init);
+    command(GovernorCommand::pre_operational);
+    port_.take();
+    EXPECT_EQ(upload(0x2000, 1), 9U);
+    nmt(NmtCommand::start);
+    EXPECT_EQ(port_.take()[0], make_frame(0x185, {9, 0, 0, 0, 0, 0, 0, 0}));
 }
 
 TEST_F(GatewayObjects, refuses_an_image_without_an_object_it_writes) {

@@ -98,9 +98,7 @@ TEST_F(GatewayStates, goes_to_init_on_both_resets_and_boots_once_when_the_govern
         EXPECT_TRUE(cycle().empty());
         command(GovernorCommand::init);
         command(GovernorCommand::pre_operational);
-        for (int i = 0; i < 10; ++i) {
-            cycle();
-        }
+        EXPECT_EQ(run_until(now_ + 10 * main_cycle), (std::vector{make_frame(0x705, {0x00})}));
         EXPECT_EQ(gateway_.state(), GatewayState::pre_operational);
     }
     EXPECT_EQ(link_.states, (States{GatewayState::init, GatewayState::pre_operational, GatewayState::init,
@@ -121,15 +119,21 @@ TEST_F(GatewayStates, boots_exactly_once_after_resets_that_follow_each_other) {
 }
 
 TEST_F(GatewayStates, falls_silent_in_every_state_when_the_governor_says_undefined) {
-    start();
-    command(GovernorCommand::undefined);
-    EXPECT_EQ(gateway_.state(), GatewayState::undefined);
-    nmt(NmtCommand::start);
-    gateway_.receive(canopen::sdo::make_frame(0x605, 0x40, {0x1000, 0}, 0), now_);
-    EXPECT_TRUE(cycle().empty());
-    EXPECT_EQ(gateway_.poll(now_ + 10'000'000), canopen::never);
-    EXPECT_TRUE(port_.take().empty());
-    EXPECT_EQ(link_.states, (States{GatewayState::undefined}));
+    const NmtCommand ways[] = {NmtCommand::start, NmtCommand::stop, NmtCommand::enter_pre_operational,
+                               NmtCommand::reset_node};
+    for (const NmtCommand way : ways) {
+        start();
+        nmt(way);
+        port_.take();
+        command(GovernorCommand::undefined);
+        EXPECT_EQ(gateway_.state(), GatewayState::undefined);
+        nmt(NmtCommand::start);
+        gateway_.receive(canopen::sdo::make_frame(0x605, 0x40, {0x1000, 0}, 0), now_);
+        EXPECT_TRUE(cycle().empty());
+        EXPECT_EQ(gateway_.poll(now_ + 10'000'000), canopen::never);
+        EXPECT_TRUE(port_.take().empty());
+        EXPECT_EQ(link_.states.back(), GatewayState::undefined);
+    }
 }
 
 TEST_F(GatewayStates, shows_its_state_in_the_heartbeat_one_period_after_boot_up) {

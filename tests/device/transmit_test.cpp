@@ -39,6 +39,23 @@ TEST_F(GatewayTransmit, sends_cyclic_pdos_first_in_the_cycle_after_entry_and_the
     EXPECT_EQ(tpdo5, (std::vector{0, 12, 24}));
 }
 
+TEST_F(GatewayTransmit, keeps_the_rhythm_over_main_cycles_whose_data_did_not_come) {
+    start();
+    std::vector<int> tpdo5;
+    int number = 0;
+    for (const unsigned elapsed : {1U, 5U, 5U, 5U, 5U, 7U, 30U, 1U, 1U, 1U, 1U, 1U, 1U}) {
+        number += static_cast<int>(elapsed);
+        gateway_.main_cycle(data_, now_, elapsed);
+        for (const frame::Frame& frame : port_.take()) {
+            if (frame.id == 0x282) {
+                tpdo5.push_back(number);
+            }
+        }
+    }
+    // Due in main cycle 1, 13, 25, 37, 49 and 61, and sent with the data that come then.
+    EXPECT_EQ(tpdo5, (std::vector{1, 16, 28, 58, 61}));
+}
+
 TEST_F(GatewayTransmit, begins_the_rhythm_anew_with_each_entry) {
     start();
     EXPECT_EQ(identifiers(cycle()), (Ids{0x485, 0x282}));

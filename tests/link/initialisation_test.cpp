@@ -119,16 +119,91 @@ TEST_F(Initialisation, is_repeated_when_telegrams_of_the_configuration_are_lost)
 }
 
 TEST_F(Initialisation, survives_the_loss_of_any_one_telegram) {
-    for (unsigned lost = 1; lost < 60; ++lost) {
-        unsigned seen = 0;
-        lost_ = [&seen, lost](const frame::Frame&) { return ++seen == lost; };
-        now_ += 10'000'000;
-        open_gateway(1);
-        governor_end_.open(image_, 1);
-        run_for(2'500'000);
-        EXPECT_EQ(gateway_.state(), GatewayState::pre_operational) << lost;
-        EXPECT_EQ(errors(), 0) << lost;
+    data_.analogue[0] = {1, 2, 3, 4};
+    for (auto* const direction : {&lost_, &lost_to_governor_}) {
+        for (unsigned lost = 1; lost < 60; ++lost) {
+            unsigned seen = 0;
+            *direction = [&seen, lost](const frame::Frame&) { return ++seen == lost; };
+            now_ += 10'000'000;
+            open_gateway(1);
+            governor_end_.open(image_, 1);
+            run_for(2'500'000);
+            EXPECT_EQ(gateway_.state(), GatewayState::pre_operational) << lost;
+            EXPECT_EQ(status_.state, GatewayState::pre_operational) << lost;
+            EXPECT_EQ(errors(), 0) << lost;
+        }
+        *direction = nullptr;
     }
+    start();
+    cycle();
+    EXPECT_EQ(tpdo4(), test::make_frame(0x485, {1, 0, 2, 0, 3, 0, 4, 0}));
+}
+
+TEST_F(Initialisation, brings_words_that_never_change_to_a_gateway_that_joins_later) {
+    data_.analogue[0] = {1, 2, 3, 4};
+    data_.errors[0] = 0x1234;
+    lost_ = lost_to_governor_ = [](const frame::Frame&) { return true; };
+    run_for(1'000'000);
+    lost_ = lost_to_governor_ = nullptr;
+    open_gateway(1);
+    start();
+    cycle();
+    EXPECT_EQ(tpdo4(), test::make_frame(0x485, {1, 0, 2, 0, 3, 0, 4, 0}));
+    gateway_.receive(canopen::sdo::make_frame(0x605, 0x40, {0x2000, 1}, 0), now_);
+    EXPECT_EQ(canopen::sdo::payload(can2_.take().back()), 0x1234U);
+}
+
+TEST_F(Initialisation, is_given_up_for_good_although_the_command_that_says_so_is_lost) {
+    governor_differs([](test::SamplePlant& plant) { plant.tpdo(4).time = {32, 2, 31'250}; });
+    bool lost = false;
+    lost_ = [&lost](const frame::Frame& frame) {
+        const bool last = read_telegram(frame)->kind == kind_of(Kind::command) &&
+                          (frame.data[2] & command::given_up) != 0 && !lost;
+        lost = lost || last;
+        return last;
+    };
+    run_for(5'000'000);
+    EXPECT_TRUE(lost);
+    EXPECT_EQ(governor_end_.phase(), Phase::given_up);
+    EXPECT_EQ(gateway_.state(), GatewayState::undefined);
+    EXPECT_EQ(errors(), initialisation);
+}
+
+TEST_F(Initialisation, is_tried_three_times_more_when_errors_are_cleared_at_the_gateway) {
+    governor_differs([](test::SamplePlant& plant) { plant.tpdo(4).time = {32, 2, 31'250}; });
+    run_for(5'000'000);
+    ASSERT_EQ(governor_end_.phase(), Phase::given_up);
+    gateway_end_.clear_errors(now_);
+    cycle();
+    EXPECT_EQ(errors(), 0);
+    EXPECT_NE(governor_end_.phase(), Phase::given_up);
+    run_for(5'000'000);
+    EXPECT_EQ(governor_end_.phase(), Phase::given_up);
+    EXPECT_EQ(errors(), initialisation);
+}
+
+TEST_F(Initialisation, is_tried_three_times_more_after_a_reset_of_the_gateway) {
+    governor_differs([](test::SamplePlant& plant) { plant.tpdo(4).time = {32, 2, 31'250}; });
+    run_for(5'000'000);
+    open_gateway(2);
+    run_for(5'000'000);
+    EXPECT_EQ(governor_end_.phase(), Phase::given_up);
+    EXPECT_EQ(errors(), initialisation | gateway_reset);
+}
+
+TEST_F(Initialisation, tells_of_a_reset_of_the_gateway_although_the_first_command_is_lost) {
+    start();
+    open_gateway(2);
+    bool lost = false;
+    lost_ = [&lost](const frame::Frame& frame) {
+        const bool first = read_telegram(frame)->kind == kind_of(Kind::command) && !lost;
+        lost = lost || first;
+        return first;
+    };
+    run_for(2'000'000);
+    EXPECT_TRUE(lost);
+    EXPECT_EQ(gateway_.state(), GatewayState::pre_operational);
+    EXPECT_EQ(errors(), gateway_reset);
 }
 
 TEST_F(Initialisation, goes_on_when_can1_takes_one_frame_at_a_time) {

@@ -5,6 +5,7 @@
 
 #include <deque>
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "canopen/nmt.hpp"
@@ -73,7 +74,9 @@ class LinkTest : public testing::Test, public link::GovernorListener {
                 const frame::Frame frame = to_governor_.waiting.front();
                 to_governor_.waiting.pop_front();
                 moved = true;
-                governor_end_.receive(frame, now_);
+                if (!lost_to_governor_ || !lost_to_governor_(frame)) {
+                    governor_end_.receive(frame, now_);
+                }
             }
         }
     }
@@ -95,9 +98,19 @@ class LinkTest : public testing::Test, public link::GovernorListener {
     void start() {
         run_for(500'000);
         gateway_.receive(canopen::nmt_frame(canopen::NmtCommand::start, 5), now_);
-        deliver();
+        cycle();
         ASSERT_EQ(gateway_.state(), device::GatewayState::operational);
         can2_.take();
+    }
+    // The governor's words of TPDO4, as the gateway sends them.
+    std::optional<frame::Frame> tpdo4() {
+        std::optional<frame::Frame> last;
+        for (const frame::Frame& frame : can2_.take()) {
+            if (frame.id == 0x485) {
+                last = frame;
+            }
+        }
+        return last;
     }
     std::uint16_t errors() const { return gateway_.errors().canopen_errors(); }
 
@@ -105,7 +118,8 @@ class LinkTest : public testing::Test, public link::GovernorListener {
     base::Bytes bytes_, other_bytes_;
     image::Image image_, other_;
     Wire to_gateway_, to_governor_;
-    std::function<bool(const frame::Frame&)> lost_;
+    std::function<bool(const frame::Frame&)> lost_;  // on the way to the gateway
+    std::function<bool(const frame::Frame&)> lost_to_governor_;
     RecordingPort can2_;
     link::GatewayEnd gateway_end_{to_governor_};
     device::Gateway gateway_{can2_, gateway_end_};

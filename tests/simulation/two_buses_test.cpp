@@ -112,6 +112,22 @@ TEST_F(TwoBuses, leave_can1_alone_when_can2_is_saturated) {
     EXPECT_EQ(logs[0], logs[1]);
 }
 
+TEST_F(TwoBuses, leave_the_governor_its_part_of_can1_when_receive_pdos_saturate_can2) {
+    Plant plant(image_);
+    MasterNode master(plant.can2(), 5, second);
+    start(plant, master);
+    plant.run_until(plant.now() + 2 * second);
+    Jammer jammer(plant.can2(), test::make_frame(0x305, {0x34, 0x12}));
+    const Time busy_before = plant.can1().busy_time();
+    const std::uint64_t received_before = plant.gateway().slave().receiver().counters().received;
+    plant.run_until(plant.now() + 5 * second);
+    EXPECT_GT(plant.gateway().slave().receiver().counters().received - received_before, 5'000U);
+    EXPECT_EQ(plant.gateway().state(), GatewayState::operational);
+    EXPECT_EQ(errors(plant), 0);
+    EXPECT_EQ(plant.governor().link().phase(), link::GovernorEnd::Phase::running);
+    EXPECT_LT(plant.can1().busy_time() - busy_before, 5 * second / 2);
+}
+
 TEST_F(TwoBuses, keep_heartbeats_and_answers_in_time_when_can1_is_saturated) {
     std::vector<Time> times[2];
     for (const bool saturated : {false, true}) {
