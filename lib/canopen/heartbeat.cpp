@@ -6,6 +6,7 @@ namespace cgw::canopen {
 
 void HeartbeatProducer::boot_up() {
     boot_up_pending_ = true;
+    only_announced_ = false;
     refused_ = false;
     deadline_ = never;
 }
@@ -18,9 +19,17 @@ void HeartbeatProducer::silence() {
 
 void HeartbeatProducer::announce(Time now) {
     if (period_ == 0) {
+        only_announced_ = only_announced_ || !boot_up_pending_;
         boot_up_pending_ = true;
     } else if (!boot_up_pending_) {
         deadline_ = now;
+    }
+}
+
+void HeartbeatProducer::withdraw_announcement() {
+    if (only_announced_) {
+        boot_up_pending_ = false;
+        only_announced_ = false;
     }
 }
 
@@ -30,6 +39,7 @@ bool HeartbeatProducer::send_due(NmtState state, Time now, frame::FramePort& por
             return false;
         }
         boot_up_pending_ = false;
+        only_announced_ = false;
         deadline_ = period_ == 0 ? never : now + period_;
         return true;
     }

@@ -17,6 +17,8 @@ class HeartbeatProducer {
     void silence();  // nothing more until the next boot-up
     // Out of turn: a heartbeat now, or the boot-up message where no heartbeat is configured (D58).
     void announce(Time now);
+    // The reason to announce is gone: a boot-up message that still waits for that alone is not sent any more.
+    void withdraw_announcement();
 
     // 1017h was written; `first` is when the first heartbeat of the new period is due.
     void set_period(Time period, Time first) {
@@ -40,6 +42,7 @@ class HeartbeatProducer {
 
     std::uint8_t node_id_ = 0;
     bool boot_up_pending_ = false;
+    bool only_announced_ = false;
     bool refused_ = false;
     Time period_ = 0;
     Time deadline_ = never;

@@ -60,6 +60,9 @@ class Slave {
     void force(NmtState state, Time now) { enter(state, now); }
     // A sign of life out of turn: see HeartbeatProducer::announce.
     void announce(Time now) { heartbeat_.announce(now); }
+    void withdraw_announcement() { heartbeat_.withdraw_announcement(); }
+    // Answers that still wait are not sent any more: who asked has given up long ago.
+    void drop_answers() { sdo_.clear(); }
     // 1017h was written: the next heartbeat comes one new period from now; 0: none any more.
     void set_heartbeat_period(Time period, Time now) {
         const bool off = period == 0 || state_ == NmtState::initialising;

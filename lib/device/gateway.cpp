@@ -81,6 +81,8 @@ void Gateway::report(Fault fault, bool present, canopen::Time now) {
     errors_.set(fault, present);
     if (fault == Fault::can2_bus) {
         next_announcement_ = present ? now : canopen::never;
+        slave_.drop_answers();
+        slave_.withdraw_announcement();
     }
     if (present) {
         react(row_of(fault).reaction, now);

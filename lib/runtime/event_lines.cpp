@@ -7,11 +7,10 @@
 
 #include "device/gateway_errors.hpp"
 #include "runtime/measurements.hpp"
+#include "simulation/text.hpp"
 
 namespace cgw::runtime {
 namespace {
-
-using link::ItemKind;
 
 // 12421..12424 say again what 3070..3073 say.
 bool repeats_own_error(std::uint16_t canopen_error) {
@@ -46,50 +45,6 @@ std::string line_of_error(std::uint16_t number) {
                           : fmt::format("error {}: {}", parameter::label(*row), row->text);
 }
 
-struct ItemText {
-    ItemKind kind;
-    std::string_view text;
-};
-
-// What an item of the governor's half is, by the parameters it comes from.
-constexpr ItemText item_texts[] = {
-    {ItemKind::version, "version of the governor link"},
-    {ItemKind::governor_node, "401 of the governor"},
-    {ItemKind::gateway_node, "403 of the governor"},
-    {ItemKind::send_errors, "14401"},
-    {ItemKind::send_status, "14402"},
-    {ItemKind::main_cycle, "main cycle of the governor"},
-    {ItemKind::assignment, "parameter sent in a TPDO"},
-    {ItemKind::cycles, "cycle of a TPDO"},
-    {ItemKind::monitoring, "monitoring of an RPDO"},
-    {ItemKind::switches, "number of switch functions"},
-    {ItemKind::switch_number, "switch function"},
-    {ItemKind::switch_bit, "bit of a switch function"},
-    {ItemKind::sensors, "number of sensors"},
-    {ItemKind::sensor_number, "sensor"},
-    {ItemKind::sensor_channel, "channel of a sensor"},
-};
-
-// The item's place in words, where its kind has several.
-std::string place_of(const link::Item& item) {
-    switch (item.kind) {
-        case ItemKind::assignment:
-            return fmt::format(" (word {} of TPDO{})", item.position % facts::words_per_pdo + 1,
-                               facts::first_analogue_tpdo + item.position / facts::words_per_pdo);
-        case ItemKind::cycles:
-            return fmt::format(" (TPDO{})", facts::first_analogue_tpdo + item.position);
-        case ItemKind::monitoring:
-            return fmt::format(" (RPDO{})", item.position + 1);
-        case ItemKind::switch_number:
-        case ItemKind::switch_bit:
-        case ItemKind::sensor_number:
-        case ItemKind::sensor_channel:
-            return fmt::format(" (the {}. in the list)", item.position + 1);
-        default:
-            return {};
-    }
-}
-
 }  // namespace
 
 std::vector<std::string> lines_of_change(const device::GatewayStatus& before,
@@ -103,7 +58,7 @@ std::vector<std::string> lines_of_change(const device::GatewayStatus& before,
         }
     }
     if (before.state != now.state) {
-        lines.push_back(fmt::format("state {}", device::to_text(now.state)));
+        lines.push_back(fmt::format("state {}", simulation::to_text(now.state)));
     }
     for (const std::uint16_t number : old_errors) {
         if (!new_errors.contains(number)) {
@@ -114,15 +69,7 @@ std::vector<std::string> lines_of_change(const device::GatewayStatus& before,
 }
 
 std::string line_of_refusal(const link::Refusal& refusal) {
-    constexpr std::string_view begin = "the governor's configuration is refused: ";
-    if (refusal.incomplete) {
-        return std::string(begin) + "telegrams of it are missing";
-    }
-    const link::Item& item = refusal.expected;
-    const auto* const row = std::ranges::find(item_texts, item.kind, &ItemText::kind);
-    return fmt::format("{}{}{}: governor {}, gateway {}", begin,
-                       row == std::end(item_texts) ? "an item" : row->text, place_of(item), refusal.received,
-                       item.value);
+    return fmt::format("the governor is refused: {}", simulation::refusal_text(refusal));
 }
 
 }  // namespace cgw::runtime

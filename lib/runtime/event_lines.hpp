@@ -15,7 +15,7 @@ namespace cgw::runtime {
 std::vector<std::string> lines_of_change(const device::GatewayStatus& before,
                                          const device::GatewayStatus& now);
 
-// "the governor's configuration is refused: …"
+// "the governor is refused: …", with what differs
 std::string line_of_refusal(const link::Refusal& refusal);
 
 }  // namespace cgw::runtime

@@ -15,6 +15,7 @@
 #include "runtime/gateway_node.hpp"
 #include "runtime/keeper.hpp"
 #include "runtime/status_page.hpp"
+#include "simulation/text.hpp"
 
 namespace cgw::runtime {
 namespace {
@@ -207,7 +208,7 @@ void Run::finish() {
         text = status_page(diagnosis);
     } else {
         text = fmt::format("ran {:.1f} s, gateway {}\n", static_cast<double>(diagnosis.now) / second,
-                           device::to_text(diagnosis.gateway->state()));
+                           simulation::to_text(diagnosis.gateway->state()));
         for (const auto& [name, bus] :
              {std::pair{"CAN1", &diagnosis.can1}, std::pair{"CAN2", &diagnosis.can2}}) {
             text += fmt::format("{} frames received {}, sent {}, lost {}\n", name, bus->received, bus->sent,

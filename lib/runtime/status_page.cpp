@@ -6,8 +6,8 @@
 
 #include "base/utf8.hpp"
 #include "base/wrap.hpp"
-#include "runtime/event_lines.hpp"
 #include "runtime/measurements.hpp"
+#include "simulation/text.hpp"
 
 namespace cgw::runtime {
 namespace {
@@ -49,7 +49,7 @@ std::string list_of(std::string_view what, const std::vector<const parameter::Ro
 std::string status_page(const Diagnosis& diagnosis) {
     const canopen::Slave& slave = diagnosis.gateway->slave();
     std::string text =
-        fmt::format("state {}, {:.1f} s after the start\n", device::to_text(diagnosis.gateway->state()),
+        fmt::format("state {}, {:.1f} s after the start\n", simulation::to_text(diagnosis.gateway->state()),
                     static_cast<double>(diagnosis.now) / 1e6);
     text += bus_lines("CAN1", diagnosis.can1);
     text += bus_lines("CAN2", diagnosis.can2);

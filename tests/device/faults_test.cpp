@@ -176,6 +176,33 @@ TEST_F(GatewayFaults, tells_the_governor_of_each_refused_image) {
     }
 }
 
+TEST_F(GatewayFaults, announces_itself_no_more_once_can2_is_back) {
+    plant_.configuration.heartbeat_producer = {};
+    start();
+    report(Fault::can2_bus);
+    port_.take();
+    port_.room = 0;
+    run_until(now_ + 600'000);
+    report(Fault::can2_bus, false);
+    port_.room = test::RecordingPort::unlimited;
+    nmt(NmtCommand::start);
+    for (const frame::Frame& frame : run_until(now_ + 600'000)) {
+        EXPECT_NE(frame.id, 0x705U);
+    }
+}
+
+TEST_F(GatewayFaults, does_not_answer_late_what_was_asked_before_can2_broke) {
+    start();
+    port_.room = 0;
+    gateway_.receive(make_frame(0x605, {0x40, 0x00, 0x10, 0, 0, 0, 0, 0}), now_);
+    report(Fault::can2_bus);
+    report(Fault::can2_bus, false);
+    port_.room = test::RecordingPort::unlimited;
+    for (const frame::Frame& frame : cycle()) {
+        EXPECT_NE(frame.id, 0x585U);
+    }
+}
+
 TEST_F(GatewayFaults, does_not_announce_itself_before_it_is_initialised) {
     ASSERT_EQ(open(), OpenStatus::ok);
     report(Fault::can2_bus);
