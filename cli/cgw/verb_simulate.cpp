@@ -72,9 +72,10 @@ constexpr std::string_view simulate_details =
     "Runs the gateway of a parameter file with a simulated governor, an engine and a\n"
     "PLC: the PLC sends every active RPDO and the heartbeat that is watched, and\n"
     "starts the gateway after its boot-up. A scenario changes outputs, cuts buses,\n"
-    "resets devices and says what is to be seen then; docs/scenarios.md has its steps.\n"
-    "One line is printed per event, with its simulated time; on a terminal states\n"
-    "and values stand below. SIGINT ends the run and prints the summary.\n"
+    "resets devices and says what is to be seen then; its steps are described in\n"
+    "docs/scenarios.md. One line is printed per event, with its simulated time; on a\n"
+    "terminal states and values stand below. SIGINT ends the run and prints the\n"
+    "summary.\n"
     "The governor link on CAN1 is our own protocol, not HEINZMANN's.\n"
     "Exit code 0 when everything expected was seen, 1 when something was not or a\n"
     "file has errors, 3 when something cannot be read or written.\n";

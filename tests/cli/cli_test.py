@@ -701,7 +701,7 @@ class Schema(Verb):
             self.assertEqual(cgw("schema", stdout=full).returncode, 3)
 
     def test_the_samples_name_the_schema(self):
-        for path in SAMPLES.rglob("*.toml"):
+        for path in set(SAMPLES.rglob("*.toml")) - set((SAMPLES / "scenarios").iterdir()):
             directive, name = path.read_text().split("\n")[0].split(" ")
             self.assertEqual(directive, "#:schema", path)
             self.assertTrue((path.parent / name).samefile(SAMPLES.parent / "schemas/parameter-file.schema.json"), path)

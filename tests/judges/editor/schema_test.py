@@ -46,7 +46,8 @@ class Schema(unittest.TestCase):
 
     def test_accepts_every_file_of_the_project_that_cgw_accepts(self):
         files = [*SOURCE.glob("samples/**/*.toml"), *SOURCE.glob("tests/data/checks/**/*.toml")]
-        documents = [path for path in files if (load(path) or {}).get("device") is None]
+        documents = [path for path in files
+                     if (load(path) or {}).get("device") is None and path.parent.name != "scenarios"]
         self.assert_never_stricter(documents, at_least=40)
 
     def test_accepts_generated_files_in_every_spelling_that_cgw_accepts(self):
