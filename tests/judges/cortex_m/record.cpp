@@ -16,7 +16,6 @@ namespace cgw::exchange {
 namespace {
 
 using canopen::NmtCommand;
-using device::Fault;
 using simulation::Bus;
 
 constexpr Time millisecond = 1'000;

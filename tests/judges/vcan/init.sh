@@ -1,6 +1,6 @@
 #!/bin/busybox sh
 # Process 1 of the guest: walks media_vcan_check through the life of a CAN interface, then canopen-gateway through that of
-# a CANopen node, and prints what they and candump have seen, each file behind a line "== name".
+# a CANopen node, which cgw verify examines, and prints what they and candump have seen, each file behind a line "== name".
 /bin/busybox --install -s /bin
 export PATH=/bin ASAN_OPTIONS=detect_leaks=0
 mkdir -p /proc /sys /dev /tmp
@@ -12,7 +12,7 @@ mount -t devpts devpts /dev/pts
 
 say() { echo "$*" >>/tmp/progress; }
 finish() {
-  for file in progress refused check candump burst serial adapter gateway node node_again state; do
+  for file in progress refused check candump burst serial adapter gateway node node_again state verify; do
     echo "== $file"
     cat /tmp/$file 2>/dev/null
   done
@@ -51,7 +51,7 @@ stop_recording() {
   wait $recorder
 }
 
-touch /tmp/progress /tmp/refused /tmp/check /tmp/candump /tmp/burst /tmp/serial /tmp/adapter /tmp/gateway /tmp/node /tmp/node_again
+touch /tmp/progress /tmp/refused /tmp/check /tmp/candump /tmp/burst /tmp/serial /tmp/adapter /tmp/gateway /tmp/node /tmp/node_again /tmp/verify
 media_vcan_check vcan0 >>/tmp/refused 2>&1
 for module in can can-raw can-dev vcan sch_tbf; do
   insmod /modules/$module.ko || fail "insmod $module"
@@ -189,6 +189,8 @@ wait_for gateway 1 'state Operational'
 wait_for node 3 ' 48C#'
 stop_recording
 say "gateway Operational"
+cgw verify /plant.toml --live socketcan:vcan0 >/tmp/verify 2>&1
+say "verify ended with $?"
 
 ip link set vcan0 down
 wait_for gateway 1 'CAN2 down: vcan0: the interface is down'

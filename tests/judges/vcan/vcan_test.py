@@ -1,6 +1,6 @@
-"""Our SocketCAN channel and canopen-gateway on a real CAN interface of the kernel, against candump, cansend and cangen of
+"""Our SocketCAN channel, canopen-gateway and cgw verify on a real CAN interface of the kernel, against candump, cansend and cangen of
 can-utils: a Debian kernel in QEMU runs init.sh, and what that prints is checked here.
-   vcan_test.py MEDIA_VCAN_CHECK CANOPEN_GATEWAY DIRECTORY_OF_THE_KERNEL"""
+   vcan_test.py MEDIA_VCAN_CHECK CANOPEN_GATEWAY CGW PARAMETER_FILE DIRECTORY_OF_THE_KERNEL"""
 import pathlib
 import re
 import shutil
@@ -35,16 +35,17 @@ def add(root, source, target):
         shutil.copy(pathlib.Path(source).resolve(), path)
 
 
-def make_initramfs(directory, check, gateway, kernel):
+def make_initramfs(directory, check, gateway, cgw, plant, kernel):
     root = directory / "root"
     programs = {name: shutil.which(name, path=SEARCH) for name in IN_GUEST} | {
-        "media_vcan_check": check, "canopen-gateway": gateway}
+        "media_vcan_check": check, "canopen-gateway": gateway, "cgw": cgw}
     for name, path in programs.items():
         add(root, path, f"bin/{name}")
         for library in libraries(path):
             add(root, library, library)
-    subprocess.run(["strip", "--strip-debug", str(root / "bin/media_vcan_check"), str(root / "bin/canopen-gateway")],
-                   check=True)
+    ours = [str(root / "bin" / name) for name in ("media_vcan_check", "canopen-gateway", "cgw")]
+    subprocess.run(["strip", "--strip-debug", *ours], check=True)
+    add(root, plant, "plant.toml")
     for module in MODULES:
         add(root, kernel / f"{module}.ko", f"modules/{module}.ko")
     add(root, pathlib.Path(__file__).parent / "init.sh", "init")
@@ -112,7 +113,7 @@ def problems_of(found):
 
     burst = [frame for frame in frames(found["burst"]) if frame.startswith("500#")]
     expect("burst", burst, [f"500#{number:02X}" for number in range(BURST)])
-    expect("exits", [line for line in found["progress"] if "ended" in line], ["ended with 0", "serial ended with 0", "gateway ended with 0"])
+    expect("exits", [line for line in found["progress"] if "ended" in line], ["ended with 0", "serial ended with 0", "verify ended with 0", "gateway ended with 0"])
 
     expect("candump behind the serial adapter", frames(found["adapter"]),
            ["123#1122334455667788", "124#1122334455667788", "00012345#01", "00012346#01", "200#R", "201#R"])
@@ -150,12 +151,14 @@ def gateway_problems(found, expect):
             "CAN2 down: vcan0: the interface is down",
             "error 3072 ErrCanBus2: CANopen bus faulty: look at cabling,", "state Pre-Operational",
             "CAN2 up: vcan0: the interface is up", "state Operational", "cleared 3072 ErrCanBus2", "ends: SIGTERM"])
+    if "The device has the configuration of the file, as far as CANopen shows it." not in found["verify"]:
+        problems.append(f"cgw verify says {found['verify']}")
     expect("error memory", [line for line in found["state"] if line.startswith("3172 ")], ["3172 1"])
     return problems
 
 
 def main():
-    check, gateway, kernel = (pathlib.Path(argument) for argument in sys.argv[1:4])
+    check, gateway, cgw, plant, kernel = (pathlib.Path(argument) for argument in sys.argv[1:6])
     missing = [name for name in PROGRAMS if shutil.which(name, path=SEARCH) is None]
     if missing:
         skip(f"not installed: {', '.join(missing)}")
@@ -165,7 +168,7 @@ def main():
     if absent:
         skip(f"there is no kernel in {kernel} ({', '.join(absent)})")
     with tempfile.TemporaryDirectory(prefix="cgw-vcan-") as directory:
-        output = boot(kernel, make_initramfs(pathlib.Path(directory), check, gateway, kernel)).decode(errors="replace")
+        output = boot(kernel, make_initramfs(pathlib.Path(directory), check, gateway, cgw, plant, kernel)).decode(errors="replace")
     found = sections(output.replace("\r", ""))
     if "progress" not in found or "check" not in found or not found["progress"]:
         print(f"the guest has said nothing of use:\n{output}")
