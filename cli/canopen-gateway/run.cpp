@@ -4,15 +4,14 @@
 
 #include <csignal>
 
-#include "base/files.hpp"
 #include "base/utf8.hpp"
 #include "cli/canopen-gateway/demonstration.hpp"
 #include "cli/canopen-gateway/display.hpp"
 #include "cli/canopen-gateway/options.hpp"
 #include "cli/canopen-gateway/plant_run.hpp"
 #include "media/log.hpp"
-#include "runtime/keeper.hpp"
 #include "runtime/run.hpp"
+#include "simulation/plant_log.hpp"
 
 namespace cgw::gateway_cli {
 namespace {
@@ -54,30 +53,6 @@ void complain(std::ostream& error, std::string_view line) {
     error << "canopen-gateway: " << base::printable(line) << '\n' << std::flush;
 }
 
-// All frames of both buses, to be written when the run is over.
-class PlantLog {
-  public:
-    explicit PlantLog(PlantRun& run) {
-        for (const runtime::Side side : {runtime::Side::can1, runtime::Side::can2}) {
-            simulation::Bus& bus = side == runtime::Side::can1 ? run.plant().can1() : run.plant().can2();
-            bus.observe([this, side](const frame::Frame& frame, Time now) {
-                frames_.push_back({now, std::string(runtime::interface_name(side)), frame});
-            });
-        }
-    }
-
-    std::size_t frames() const { return frames_.size(); }
-
-    base::Result<void> write(const std::string& path) const {
-        const auto format = media::log_format_of(path).value_or(media::LogFormat::candump);
-        const base::Result<base::Bytes> content = media::write_log(format, frames_);
-        return content ? base::write_file(path, *content) : tl::unexpected(content.error());
-    }
-
-  private:
-    std::vector<media::LoggedFrame> frames_;
-};
-
 int run_plant(const Options& options, const image::Image& image, std::ostream& out, std::ostream& error) {
     const std::uint64_t duration = options.duration_us.value_or(simulated_duration_us);
     PlantRun plant_run(image, duration, out);
@@ -86,9 +61,9 @@ int run_plant(const Options& options, const image::Image& image, std::ostream& o
                              device::to_text(plant_run.plant().status()));
         return exit_refused;
     }
-    std::optional<PlantLog> log;
+    std::optional<simulation::PlantLog> log;
     if (!options.log.empty()) {
-        log.emplace(plant_run);
+        log.emplace(plant_run.plant());
     }
     out << introduction(image, true);
     bool fine = true;
@@ -99,7 +74,8 @@ int run_plant(const Options& options, const image::Image& image, std::ostream& o
     }
     summarise(plant_run, out);
     if (log) {
-        const base::Result<void> written = log->write(options.log);
+        const base::Result<void> written =
+            log->write(options.log, media::log_format_of(options.log).value_or(media::LogFormat::candump));
         if (!written) {
             complain(error, written.error().message);
             return exit_environment;

@@ -111,6 +111,11 @@ void Gateway::react(Reaction reaction, canopen::Time now) {
         case Reaction::undefined:
             initialise(GatewayState::undefined);
             break;
+        case Reaction::interrupted:
+            if (state() != GatewayState::init) {
+                initialise(GatewayState::undefined);
+            }
+            break;
         case Reaction::pre_operational:
             force(GatewayState::pre_operational, now);
             break;

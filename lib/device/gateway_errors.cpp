@@ -11,7 +11,7 @@ constexpr unsigned most_counted = 255;
 
 // GWM 9.4 and 9.5; what is not printed there is D45.
 constexpr std::array<FaultRow, fault_count> rows{{
-    {governor_reset, 0, 12411, Reaction::undefined, Clearing::on_request},
+    {governor_reset, 0, 12411, Reaction::interrupted, Clearing::on_request},
     {initialisation, 0, 12412, Reaction::undefined, Clearing::on_request},
     {receive_pdo_late, 0, 12413, Reaction::none, Clearing::by_itself},
     {governor_can_bus, 0, 12414, Reaction::undefined, Clearing::on_request},

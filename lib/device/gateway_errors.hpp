@@ -37,7 +37,8 @@ enum class Fault : std::uint8_t {
 inline constexpr std::size_t fault_count = 21;
 
 // What a fault does to the state machine when it appears.
-enum class Reaction : std::uint8_t { none, undefined, pre_operational, stopped };
+// `interrupted`: Undefined until the governor initialises; an initialisation that has begun goes on.
+enum class Reaction : std::uint8_t { none, undefined, interrupted, pre_operational, stopped };
 
 // What makes a fault disappear once its cause is gone.
 enum class Clearing : std::uint8_t {

@@ -7,6 +7,7 @@ import pty
 import re
 import shutil
 import signal
+import socket
 import struct
 import subprocess
 import tempfile
@@ -160,6 +161,64 @@ class Logs(Verb):
         self.assertEqual((code, out), (2, ""))
         self.assertTrue(errors.startswith("cgw: "), errors)
         self.assertEqual(path.read_bytes(), GENSET.read_bytes())
+
+
+class OnABus(Verb):
+    """With --can2 the gateway is on a bus where others are."""
+
+    def setUp(self):
+        super().setUp()
+        self.hub = subprocess.Popen([CGW, "hub", "--listen", "127.0.0.1:0"], stdout=subprocess.PIPE, text=True)
+        self.addCleanup(self.hub.stdout.close)
+        self.addCleanup(self.hub.wait)
+        self.addCleanup(self.hub.terminate)
+        self.port = int(re.search(r":(\d+),", self.hub.stdout.readline()).group(1))
+
+    def test_a_program_on_the_bus_starts_it_and_reads_from_it(self):
+        client = socket.create_connection(("127.0.0.1", self.port), timeout=DEADLINE)
+        self.addCleanup(client.close)
+        for message in ("", "< open can0 >", "< rawmode >"):
+            client.sendall(message.encode())
+            client.recv(100)
+        gateway = subprocess.Popen([CGW, "simulate", str(GENSET), "--can2", f"hub:127.0.0.1:{self.port}"],
+                                   stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, env=environment())
+        seen = ""
+
+        def wait_for(text):
+            nonlocal seen
+            while text not in seen:
+                part = client.recv(4096).decode()
+                self.assertTrue(part, f"{text} did not come: {seen}")
+                seen += part
+            seen = seen[seen.index(text):]
+
+        wait_for("< frame 70C ")  # boot-up of node 12
+        client.sendall(b"< send 60C 8 40 0 10 0 0 0 0 0 >")
+        wait_for("4300100091010000")
+        client.sendall(b"< send 0 2 1 C >")
+        wait_for("< frame 18C ")  # TPDO1
+        gateway.send_signal(signal.SIGINT)
+        out, errors = gateway.communicate(timeout=DEADLINE)
+        self.assertEqual((gateway.returncode, errors), (0, ""))
+        self.assertTrue(out.startswith("Genset 2, starboard, configuration "), out)
+        self.assertIn("state Operational\n", out)
+
+    def test_ends_by_itself_and_writes_its_log(self):
+        log = self.dir / "run.log"
+        code, out, errors = simulate(GENSET, "--can2", f"hub:127.0.0.1:{self.port}", "--duration", "1", "--log", log)
+        self.assertEqual((code, errors), (0, ""))
+        self.assertIn(" can1 ", log.read_text())
+
+    def test_there_is_no_scenario_speed_or_json(self):
+        for option in (("--scenario", SCENARIOS / "normal-start.toml"), ("--speed", "2"), ("--format", "json")):
+            code, out, errors = simulate(GENSET, "--can2", "hub:127.0.0.1:1", *option)
+            self.assertEqual((code, out), (2, ""))
+            self.assertEqual(errors, f"cgw: --can2 is for a PLC of your own, in real time: not with {option[0]}\n")
+
+    def test_a_bus_that_does_not_exist_is_exit_3(self):
+        code, out, errors = simulate(GENSET, "--can2", "socketcan:nowhere0")
+        self.assertEqual(code, 3)
+        self.assertIn("nowhere0", errors)
 
 
 class Mistakes(Verb):
