@@ -102,8 +102,7 @@ TEST_F(GovernorElsewhere, is_refused_with_the_reason_when_it_has_another_configu
     begin();
     pass(5 * second);
     const Lines lines = events.take();
-    const std::string refusal =
-        "the governor's configuration is refused: monitoring of an RPDO (RPDO2): governor 7, gateway 6";
+    const std::string refusal = line_of_refusal({false, {link::ItemKind::monitoring, 1, 6}, 7});
     EXPECT_EQ(std::count(lines.begin(), lines.end(), refusal), 3);
     EXPECT_EQ(std::count(lines.begin(), lines.end(), "error 12412 CanOpInitErr"), 1);
     EXPECT_EQ(node->gateway().state(), device::GatewayState::undefined);
