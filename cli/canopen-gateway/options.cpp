@@ -6,6 +6,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <filesystem>
 
 #include "base/wrap.hpp"
 #include "media/open_channel.hpp"
@@ -17,11 +18,8 @@ constexpr double longest_duration = 86400;  // seconds
 
 // `inside` is the word for what is inside the program.
 bool set_bus(std::string& bus, std::string_view value, std::string_view inside) {
-    const auto kinds = media::channel_kinds();
-    const std::string_view kind = value.substr(0, value.find(':'));
     bus = value == inside ? std::string() : std::string(value);
-    return value == inside ||
-           (kind != value && std::ranges::find(kinds, kind, &media::ChannelKind::name) != kinds.end());
+    return value == inside || media::channel_mistake(value).empty();
 }
 bool set_can1(Options& options, std::string_view value) {
     return set_bus(options.can1, value, "simulated");
@@ -155,7 +153,11 @@ std::string contradiction(const Options& options) {
         return fmt::format("{} is for real time: give --can1 or --can2 a CAN bus",
                            options.status ? "--status" : "--state");
     }
-    if (!options.state.empty() && options.state == options.log) {
+    namespace fs = std::filesystem;
+    std::error_code ignored;
+    if (!options.state.empty() && !options.log.empty() &&
+        fs::weakly_canonical(fs::absolute(options.state, ignored), ignored) ==
+            fs::weakly_canonical(fs::absolute(options.log, ignored), ignored)) {
         return "--log and --state are the same file";
     }
     return {};

@@ -1,8 +1,13 @@
 #include "cli/cgw/simulation_run.hpp"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
+#include <cerrno>
 #include <csignal>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
 
 #include "base/numbers.hpp"
 #include "base/utf8.hpp"
@@ -85,6 +90,16 @@ bool run_to_end(scenario::Run& run, const SimulateOptions& options, Output& outp
     return !interrupted;
 }
 
+// Said before a long run, not after it.
+bool log_has_a_place(const std::string& path) {
+    const std::filesystem::path directory = std::filesystem::absolute(path).parent_path();
+    if (::access(directory.c_str(), W_OK | X_OK) == 0) {
+        return true;
+    }
+    print_error(fmt::format("cannot write {}: {}", path, std::strerror(errno)));
+    return false;
+}
+
 int write_log(const simulation::PlantLog& log, const SimulateOptions& options) {
     if (const base::Result<void> written = log.write(options.log, *options.log_format); !written) {
         print_error(written.error().message);
@@ -100,6 +115,9 @@ int write_log(const simulation::PlantLog& log, const SimulateOptions& options) {
 }  // namespace
 
 int simulate(const SimulateOptions& options, LoadedSimulation& loaded) {
+    if (options.log_format && !log_has_a_place(options.log)) {
+        return exit_environment;
+    }
     const Configuration& governor = loaded.governor ? *loaded.governor : loaded.gateway;
     simulation::Installation installation(loaded.gateway.image, governor.image);
     if (installation.plant().status() != device::OpenStatus::ok) {
@@ -135,11 +153,12 @@ int simulate_on_bus(const SimulateOptions& options, const LoadedSimulation& load
     settings.log = options.log;
     settings.duration = loaded.end;
     settings.introduction = introduction(loaded.gateway.image, nullptr);
+    std::signal(SIGPIPE, SIG_IGN);  // whoever reads the lines may go; the gateway stays on its bus
     bool good = true;
     const runtime::Output output{
         .print = [&good](std::string_view text) { good = print(text) && good; },
         .complain = [](std::string_view line) { print_error(line); },
-        .show = [](std::string_view text) { print_error(text); },
+        .show = [](std::string_view text) { std::fwrite(text.data(), 1, text.size(), stderr); },
     };
     switch (runtime::run(loaded.gateway.image, settings, output)) {
         case runtime::Ending::fine:

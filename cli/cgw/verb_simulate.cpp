@@ -123,6 +123,11 @@ SimulateOptions options_of(const Arguments& arguments) {
     }
     refuse_on_bus(arguments);
     options.can2 = arguments.value("--can2");
+    if (arguments.given("--can2")) {
+        if (const std::string mistake = media::channel_mistake(options.can2); !mistake.empty()) {
+            throw UsageError("--can2: " + mistake);
+        }
+    }
     options.log = arguments.value("--log");
     options.log_format = media::log_format_of(options.log);
     if (!options.log.empty() && !options.log_format) {

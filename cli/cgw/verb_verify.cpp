@@ -61,15 +61,6 @@ int exit_code_of_ending(const live::Result& result) {
     return exit_environment;
 }
 
-bool names_a_kind(std::string_view channel) {
-    for (const media::ChannelKind& kind : media::channel_kinds()) {
-        if (channel.substr(0, channel.find(':')) == kind.name) {
-            return true;
-        }
-    }
-    return false;
-}
-
 // A line that is overwritten and vanishes at the end; nothing where standard error is no terminal.
 class Progress {
   public:
@@ -91,11 +82,11 @@ class Progress {
 };
 
 int run_verify(const Arguments& arguments) {
+    if (const std::string mistake = media::channel_mistake(arguments.value("--live")); !mistake.empty()) {
+        throw UsageError("--live: " + mistake);
+    }
     auto channel = media::open_channel(arguments.value("--live"));
     if (!channel) {
-        if (!names_a_kind(arguments.value("--live"))) {
-            throw UsageError("--live: " + channel.error().message);
-        }
         print_error(channel.error().message);
         return exit_environment;
     }

@@ -80,9 +80,8 @@ void Gateway::report(Fault fault, bool present, canopen::Time now) {
     }
     errors_.set(fault, present);
     if (fault == Fault::can2_bus) {
-        next_announcement_ = present ? now : canopen::never;
+        next_announcement_ = present ? now : next_announcement_;
         slave_.drop_answers();
-        slave_.withdraw_announcement();
     }
     if (present) {
         react(row_of(fault).reaction, now);
@@ -98,8 +97,16 @@ std::uint8_t Gateway::late_rpdos() const {
     return static_cast<std::uint8_t>(late);
 }
 
-void Gateway::clear_errors(canopen::Time now) {
+void Gateway::forget_errors() {
     errors_.clear();
+    if (!errors_.shown(Fault::can2_bus)) {
+        next_announcement_ = canopen::never;
+        slave_.withdraw_announcement();
+    }
+}
+
+void Gateway::clear_errors(canopen::Time now) {
+    forget_errors();
     publish(state());
     slave_.poll(now);
 }
@@ -174,7 +181,7 @@ void Gateway::follow_slave(canopen::Time now) {
 }
 
 void Gateway::enter_operational(canopen::Time now) {
-    errors_.clear();  // manual 9.5
+    forget_errors();  // manual 9.5
     ++operational_entries_;
     publish(GatewayState::operational);
     for (std::size_t position = 0; position < binary_pdos; ++position) {
@@ -234,7 +241,7 @@ void Gateway::follow_monitors() {
     }
 }
 
-// Signs of life while CAN2 is in trouble (D58).
+// Signs of life while 3072 is set, also when its cause is gone (D58): who waits for a boot-up hears one.
 canopen::Time Gateway::announce(canopen::Time now) {
     if (now >= next_announcement_) {
         next_announcement_ = now + announcement_period;

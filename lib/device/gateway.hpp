@@ -103,6 +103,7 @@ class Gateway {
     void follow_slave(canopen::Time now);
     void enter_operational(canopen::Time now);
     void react(Reaction reaction, canopen::Time now);
+    void forget_errors();
     void hear_governor(canopen::Time now);
     void watch_governor(canopen::Time now);
     void follow_monitors();

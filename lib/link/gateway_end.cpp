@@ -30,6 +30,8 @@ void GatewayEnd::open(const image::Image& image, std::uint8_t boot) {
     commanded_ = false;
     answer_ = Answer::none;
     configuration_fits_ = false;
+    next_item_ = 0;
+    mismatch_ = false;
     refusals_ = 0;
 }
 
@@ -67,15 +69,22 @@ void GatewayEnd::receive(const frame::Frame& frame, Time now) {
     outbox_.send(*port_);
 }
 
+// Sequences begin anew with each reset of the governor.
+bool GatewayEnd::is_new(std::uint8_t sequence, std::uint8_t boot) {
+    const bool again = commanded_ && sequence_ == sequence && command_boot_ == boot;
+    commanded_ = true;
+    sequence_ = sequence;
+    command_boot_ = boot;
+    return !again;
+}
+
 // A command is obeyed once; repeated, it is only acknowledged again.
 void GatewayEnd::obey(const Telegram& telegram, Time now) {
     if (telegram.length < command::length ||
         telegram.data[1] > static_cast<std::uint8_t>(GovernorCommand::pre_operational)) {
         return;
     }
-    if (!commanded_ || sequence_ != telegram.data[0]) {
-        commanded_ = true;
-        sequence_ = telegram.data[0];
+    if (is_new(telegram.data[0], telegram.data[3])) {
         obey(static_cast<GovernorCommand>(telegram.data[1]), telegram.data[2], now);
     }
     tell_status();
@@ -156,10 +165,7 @@ void GatewayEnd::conclude(const Telegram& telegram) {
     if (telegram.length < configuration::end_length) {
         return;
     }
-    const bool again = commanded_ && sequence_ == telegram.data[0];
-    if (!again) {
-        commanded_ = true;
-        sequence_ = telegram.data[0];
+    if (is_new(telegram.data[0], telegram.data[3])) {
         const bool complete =
             next_item_ == half_.count() && wire::load_u16(telegram.data + 1) == half_.count();
         if (!complete && !mismatch_) {

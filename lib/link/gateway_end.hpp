@@ -47,6 +47,7 @@ class GatewayEnd final : public device::GovernorLink {
     void process_data(std::uint8_t rpdo, const device::PdoWords& words) override { forward(rpdo, words); }
 
   private:
+    bool is_new(std::uint8_t sequence, std::uint8_t boot);
     void obey(const Telegram& telegram, Time now);
     void obey(device::GovernorCommand command, std::uint8_t flags, Time now);
     void strike(device::Fault fault, Time now);
@@ -97,6 +98,7 @@ class GatewayEnd final : public device::GovernorLink {
 
     bool commanded_ = false;
     std::uint8_t sequence_ = 0;
+    std::uint8_t command_boot_ = 0;
     Answer answer_ = Answer::none;
     bool configuration_fits_ = false;
     std::uint16_t next_item_ = 0;

@@ -103,6 +103,7 @@ void GovernorEnd::command(GovernorCommand command, std::uint8_t flags, Phase nex
     frame.data[0] = ++sequence_;
     frame.data[1] = static_cast<std::uint8_t>(command);
     frame.data[2] = flags;
+    frame.data[3] = boot_;
     outbox_.put(command_place, frame);
     phase_ = next;
     phase_began_ = now;
@@ -136,6 +137,7 @@ void GovernorEnd::conclude(Time now) {
         make_telegram(kind_of(Kind::configuration_end), self_, gateway_, configuration::end_length);
     frame.data[0] = ++sequence_;
     wire::store_u16(&frame.data[1], half_.count());
+    frame.data[3] = boot_;
     outbox_.put(configuration_place + items_at_once, frame);
     phase_ = Phase::concluding;
     phase_began_ = now;

@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "canopen/protocol.hpp"
+#include "device/gateway.hpp"
 
 namespace cgw::link {
 
@@ -12,14 +13,14 @@ using canopen::Time;
 
 // Each end tells of itself at least so often, and counts as silent after `silence` (D46).
 inline constexpr Time status_period = 100'000;  // us
-inline constexpr Time silence = 500'000;        // us
-inline constexpr unsigned attempts = 3;         // of an initialisation, before 12412
+inline constexpr Time silence = device::Gateway::governor_silence;
+inline constexpr unsigned attempts = 3;  // of an initialisation, before 12412
 
 // Of 2000h:1..6 the first ones travel in one telegram, the last two in another.
 inline constexpr std::size_t words_in_first_errors = 4;
 
-namespace command {  // sequence, GovernorCommand, flags
-inline constexpr std::uint8_t length = 3;
+namespace command {  // sequence, GovernorCommand, flags, boot number
+inline constexpr std::uint8_t length = 4;
 inline constexpr std::uint8_t gateway_was_reset = 0x01;  // 12419
 inline constexpr std::uint8_t given_up = 0x02;           // 12412
 }  // namespace command
@@ -53,7 +54,7 @@ inline constexpr std::uint8_t incomplete = 0xFF;  // instead of an ItemKind: tel
 namespace configuration {  // index of the first item, three items
 inline constexpr std::uint8_t length = 8;
 inline constexpr unsigned items = 3;
-inline constexpr std::uint8_t end_length = 3;  // sequence, number of items
+inline constexpr std::uint8_t end_length = 4;  // sequence, number of items, boot number
 }  // namespace configuration
 
 }  // namespace cgw::link

@@ -16,8 +16,22 @@ constexpr std::string_view hub_form = "hub:HOST:PORT[/BUS]";
 constexpr std::string_view socketcan_form = "socketcan:INTERFACE";
 constexpr std::string_view slcan_form = "slcan:TTY@KBIT";
 
-Opened mistake(std::string_view whole, std::string_view what, std::string_view form) {
-    return base::failure(fmt::format("'{}': {}; write {}", whole, what, form));
+std::string mistake(std::string_view whole, std::string_view what, std::string_view form) {
+    return fmt::format("'{}': {}; write {}", whole, what, form);
+}
+
+std::string hub_mistake(std::string_view whole, std::string_view rest) {
+    const std::size_t slash = rest.find('/');
+    if (slash != std::string_view::npos && !is_bus_name(rest.substr(slash + 1))) {
+        return mistake(whole, "a bus has a name of 1..16 letters, digits, '.', '_' or '-'", hub_form);
+    }
+    const auto where = parse_host_port(rest.substr(0, slash));
+    if (!where) {
+        return mistake(whole, where.error().message, hub_form);
+    }
+    return where->port != 0
+               ? std::string()
+               : mistake(whole, "port 0 is nobody's; cgw hub says on which port it listens", hub_form);
 }
 
 Opened open_hub(std::string_view whole, std::string_view rest) {
@@ -25,43 +39,42 @@ Opened open_hub(std::string_view whole, std::string_view rest) {
     const std::size_t slash = rest.find('/');
     if (slash != std::string_view::npos) {
         options.bus = rest.substr(slash + 1);
-        if (!is_bus_name(options.bus)) {
-            return mistake(whole, "a bus has a name of 1..16 letters, digits, '.', '_' or '-'", hub_form);
-        }
     }
-    const auto where = parse_host_port(rest.substr(0, slash));
-    if (!where) {
-        return mistake(whole, where.error().message, hub_form);
-    }
-    if (where->port == 0) {
-        return mistake(whole, "port 0 is nobody's; cgw hub says on which port it listens", hub_form);
-    }
-    auto addresses = resolve(*where);
+    auto addresses = resolve(*parse_host_port(rest.substr(0, slash)));
     if (!addresses) {
-        return mistake(whole, addresses.error().message, hub_form);
+        return base::failure(mistake(whole, addresses.error().message, hub_form));
     }
     return std::make_unique<HubChannel>(std::string(whole), std::move(*addresses), std::move(options));
 }
 
-Opened open_interface(std::string_view whole, std::string_view rest) {
-    return rest.empty() ? mistake(whole, "no interface is named", socketcan_form)
-                        : open_socketcan(std::string(rest));
+std::string interface_mistake(std::string_view whole, std::string_view rest) {
+    return rest.empty() ? mistake(whole, "no interface is named", socketcan_form) : "";
 }
 
-Opened open_adapter(std::string_view whole, std::string_view rest) {
+Opened open_interface(std::string_view /*whole*/, std::string_view rest) {
+    return open_socketcan(std::string(rest));
+}
+
+std::string adapter_mistake(std::string_view whole, std::string_view rest) {
     const std::size_t at = rest.rfind('@');
     const auto kbit = at == std::string_view::npos ? std::nullopt : base::parse_integer(rest.substr(at + 1));
     constexpr std::int64_t fastest = 1000;  // kbit/s; which of the lower ones exist open_slcan knows
-    if (!kbit || *kbit < 1 || *kbit > fastest || at == 0) {
-        return mistake(whole, "a port and a bit rate are needed", slcan_form);
-    }
-    return open_slcan(std::string(rest.substr(0, at)), static_cast<unsigned>(*kbit));
+    const bool fine = kbit && *kbit >= 1 && *kbit <= fastest && at != 0;
+    return fine ? "" : mistake(whole, "a port and a bit rate are needed", slcan_form);
+}
+
+Opened open_adapter(std::string_view /*whole*/, std::string_view rest) {
+    const std::size_t at = rest.rfind('@');
+    return open_slcan(std::string(rest.substr(0, at)),
+                      static_cast<unsigned>(*base::parse_integer(rest.substr(at + 1))));
 }
 
 constexpr ChannelKind kinds[] = {
-    {"hub", hub_form, "a bus of cgw hub or socketcand; BUS is can0 if not given", open_hub},
-    {"socketcan", socketcan_form, "a CAN interface of the Linux kernel, can0 or vcan0", open_interface},
-    {"slcan", slcan_form, "a serial adapter that speaks slcan, at KBIT kbit/s", open_adapter},
+    {"hub", hub_form, "a bus of cgw hub or socketcand; BUS is can0 if not given", hub_mistake, open_hub},
+    {"socketcan", socketcan_form, "a CAN interface of the Linux kernel, can0 or vcan0", interface_mistake,
+     open_interface},
+    {"slcan", slcan_form, "a serial adapter that speaks slcan, at KBIT kbit/s", adapter_mistake,
+     open_adapter},
 };
 
 std::string all_forms() {
@@ -72,20 +85,37 @@ std::string all_forms() {
     return forms;
 }
 
+// The row for `text`, and what stands behind its colon; nullptr: none.
+const ChannelKind* find_kind(std::string_view text, std::string_view& rest) {
+    const std::size_t colon = text.find(':');
+    for (const ChannelKind& kind : kinds) {
+        if (colon != std::string_view::npos && text.substr(0, colon) == kind.name) {
+            rest = text.substr(colon + 1);
+            return &kind;
+        }
+    }
+    return nullptr;
+}
+
 }  // namespace
 
 std::span<const ChannelKind> channel_kinds() {
     return kinds;
 }
 
+std::string channel_mistake(std::string_view text) {
+    std::string_view rest;
+    const ChannelKind* const kind = find_kind(text, rest);
+    return kind == nullptr ? fmt::format("'{}' is no CAN bus; write {}", text, all_forms())
+                           : kind->mistake(text, rest);
+}
+
 Opened open_channel(std::string_view text) {
-    const std::size_t colon = text.find(':');
-    for (const ChannelKind& kind : kinds) {
-        if (colon != std::string_view::npos && text.substr(0, colon) == kind.name) {
-            return kind.open(text, text.substr(colon + 1));
-        }
+    if (std::string what = channel_mistake(text); !what.empty()) {
+        return base::failure(std::move(what));
     }
-    return base::failure(fmt::format("'{}' is no CAN bus; write {}", text, all_forms()));
+    std::string_view rest;
+    return find_kind(text, rest)->open(text, rest);
 }
 
 }  // namespace cgw::media

@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <span>
+#include <string>
 #include <string_view>
 
 #include "base/result.hpp"
@@ -14,11 +15,16 @@ struct ChannelKind {
     std::string_view name;     // what stands before the first colon
     std::string_view form;     // how the whole is written: "hub:HOST:PORT[/BUS]"
     std::string_view summary;  // for help, one line
-    // `whole` is the text as written, `rest` what follows the first colon.
+    // `whole` is the text as written, `rest` what follows the first colon. What is wrong with the text;
+    // empty: nothing, and then it can be opened.
+    std::string (*mistake)(std::string_view whole, std::string_view rest);
     base::Result<std::unique_ptr<Channel>> (*open)(std::string_view whole, std::string_view rest);
 };
 
 std::span<const ChannelKind> channel_kinds();
+
+// What is wrong with `text` as a text, one line; empty: nothing.
+std::string channel_mistake(std::string_view text);
 
 // The failure is a mistake in `text`, or a host, an interface or a serial port that does not exist. Whether
 // the bus can be reached is heard from the channel, which keeps trying.

@@ -32,7 +32,10 @@ class Keeper {
     void write(const Sentinels& sentinels);
 
     // After the last write(): everything is in its file.
-    bool complete() const { return !failed_log_ && !failed_memory_ && (!log_ || log_->dropped() == 0); }
+    bool complete() const { return !failed_memory_ && log_complete(); }
+    bool log_complete() const {
+        return !failed_log_ && (!log_ || (log_->dropped() == 0 && !log_->waiting()));
+    }
 
   private:
     void follow(const base::Result<void>& result, std::string_view what, bool& failed);

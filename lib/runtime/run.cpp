@@ -216,8 +216,9 @@ void Run::finish() {
         }
     }
     if (const auto& log = keeper_->log(); log) {
-        text += fmt::format("log {}: {} frames{}\n", base::printable(log->path()), log->frames(),
-                            log->dropped() == 0 ? "" : fmt::format(", {} not recorded", log->dropped()));
+        text += keeper_->log_complete()
+                    ? fmt::format("log {}: {} frames\n", base::printable(log->path()), log->frames())
+                    : fmt::format("log {}: not complete\n", base::printable(log->path()));
     }
     output_.print(text);
 }

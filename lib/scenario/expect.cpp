@@ -95,9 +95,11 @@ std::optional<simulation::MasterNode::Received> last_tpdo(Run& run, const Step& 
 // "the last one is 0.125 s old", or that there was none.
 template <typename Heard>
 std::string age_text(Run& run, const Heard& last) {
-    return last ? fmt::format("the last one is {:.3f} s old",
-                              static_cast<double>(plant_of(run).now() - last->time) / 1e6)
-                : "there was none";
+    if (!last) {
+        return "there was none";
+    }
+    return fmt::format("the last one is {:.3f} s old",
+                       static_cast<double>(plant_of(run).now() - last->time) / 1e6);
 }
 
 std::string answer_text(const canopen::SdoClient& sdo) {

@@ -29,6 +29,9 @@ void MasterNode::boot_up(std::uint8_t node_id, Time now) {
 }
 
 void MasterNode::heartbeat(std::uint8_t node_id, canopen::NmtState state, Time now) {
+    if (heartbeats_.size() == static_cast<std::size_t>(most_heartbeats)) {
+        heartbeats_.erase(heartbeats_.begin(), heartbeats_.begin() + most_heartbeats / 2);
+    }
     heartbeats_.push_back({now, node_id, state});
 }
 

@@ -34,6 +34,7 @@ class MasterNode final : public Participant, public master::Listener {
         canopen::NmtState state = canopen::NmtState::initialising;  // initialising: boot-up
     };
     const std::vector<Event>& boot_ups() const { return boot_ups_; }
+    static constexpr std::ptrdiff_t most_heartbeats = 1'000'000;  // older ones are forgotten
     const std::vector<Event>& heartbeats() const { return heartbeats_; }
 
     struct Received {

@@ -104,8 +104,10 @@ TEST_F(GatewayFaults, announces_itself_every_half_second_while_can2_is_broken) {
     report(Fault::can2_bus);
     // The announcements, and no other heartbeat between them: 1008 ms from the last one.
     EXPECT_EQ(run_until(1'600'000), (std::vector(4, make_frame(0x705, {0x7F}))));
-    report(Fault::can2_bus, false);
-    EXPECT_EQ(run_until(2'400'000).size(), 0U);
+    report(Fault::can2_bus, false);  // 3072 stays until errors are cleared
+    EXPECT_EQ(run_until(2'100'000), (std::vector(1, make_frame(0x705, {0x7F}))));
+    gateway_.clear_errors(now_);
+    EXPECT_EQ(run_until(2'900'000).size(), 0U);
 }
 
 TEST_F(GatewayFaults, announces_itself_with_boot_ups_where_it_has_no_heartbeat) {
@@ -176,7 +178,16 @@ TEST_F(GatewayFaults, tells_the_governor_of_each_refused_image) {
     }
 }
 
-TEST_F(GatewayFaults, announces_itself_no_more_once_can2_is_back) {
+TEST_F(GatewayFaults, announces_itself_on_a_bus_that_is_back_until_3072_is_cleared) {
+    plant_.configuration.heartbeat_producer = {};
+    start();
+    report(Fault::can2_bus);
+    report(Fault::can2_bus, false);
+    port_.take();
+    EXPECT_EQ(run_until(now_ + 1'100'000), (std::vector(3, make_frame(0x705, {0x00}))));
+}
+
+TEST_F(GatewayFaults, announces_itself_no_more_once_it_is_operational_again) {
     plant_.configuration.heartbeat_producer = {};
     start();
     report(Fault::can2_bus);

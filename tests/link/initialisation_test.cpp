@@ -225,6 +225,19 @@ TEST_F(Initialisation, begins_anew_after_a_reset_of_the_governor_alone) {
     EXPECT_EQ(errors(), 0);
 }
 
+TEST_F(Initialisation, is_begun_anew_by_a_governor_that_was_reset_in_the_middle_of_it) {
+    while (governor_end_.phase() != Phase::configuring) {
+        cycle();
+    }
+    cycle();
+    governor_end_ = GovernorEnd(to_gateway_, *this);  // its sequences begin anew
+    governor_end_.open(image_, 2);
+    run_for(400'000);
+    EXPECT_EQ(governor_end_.failed_attempts(), 0U);
+    EXPECT_EQ(governor_end_.phase(), Phase::running);
+    EXPECT_EQ(gateway_.state(), GatewayState::pre_operational);
+}
+
 TEST_F(Initialisation, begins_anew_after_a_reset_of_the_gateway_alone) {
     start();
     open_gateway(2);
@@ -252,7 +265,8 @@ TEST_F(Initialisation, does_not_begin_while_an_error_forbids_it) {
 
 TEST_F(Initialisation, ignores_telegrams_of_other_pairs) {
     for (const Address from : {Address{DeviceType::governor, 4}, Address{DeviceType::gateway, 3}}) {
-        frame::Frame frame = make_telegram(kind_of(Kind::command), from, {DeviceType::gateway, 7}, 3);
+        frame::Frame frame =
+            make_telegram(kind_of(Kind::command), from, {DeviceType::gateway, 7}, command::length);
         frame.data[1] = static_cast<std::uint8_t>(device::GovernorCommand::init);
         gateway_end_.receive(frame, now_);
     }

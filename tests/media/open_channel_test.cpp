@@ -80,6 +80,15 @@ TEST(OpenChannel, says_what_is_wrong_with_an_interface_or_adapter) {
     EXPECT_NE(refusal("slcan:/dev/no-such-tty@250"), "opened");
 }
 
+TEST(ChannelMistake, is_one_of_the_text_and_not_of_the_world) {
+    for (const char* text : {"", "can0", "hub:", "hub:h:0", "socketcan:", "slcan:/dev/ttyACM0"}) {
+        EXPECT_EQ(channel_mistake(text), refusal(text));
+    }
+    for (const char* text : {"hub:no host:1", "socketcan:nocan9", "slcan:/dev/no-such-tty@250"}) {
+        EXPECT_EQ(channel_mistake(text), "");
+    }
+}
+
 TEST(OpenChannel, has_a_row_for_every_kind) {
     for (const ChannelKind& kind : channel_kinds()) {
         EXPECT_TRUE(kind.form.starts_with(std::string(kind.name) + ":"));
