@@ -92,14 +92,13 @@ std::optional<simulation::MasterNode::Received> last_tpdo(Run& run, const Step& 
     return plant_of(run).node().received(pdo.cob_id);
 }
 
-// "the last one is 0.125 s old", or that there was none.
-template <typename Heard>
-std::string age_text(Run& run, const Heard& last) {
-    if (!last) {
+// "the last one is 0.125 s old", or that there was none (nullptr).
+std::string age_text(Run& run, const Time* last) {
+    if (last == nullptr) {
         return "there was none";
     }
     return fmt::format("the last one is {:.3f} s old",
-                       static_cast<double>(plant_of(run).now() - last->time) / 1e6);
+                       static_cast<double>(plant_of(run).now() - *last) / 1e6);
 }
 
 std::string answer_text(const canopen::SdoClient& sdo) {
@@ -175,13 +174,13 @@ Outcome expect_engine(Run& run, const Step& step) {
 Outcome expect_tpdo(Run& run, const Step& step) {
     const auto last = last_tpdo(run, step);
     return {fmt::format("TPDO{} {}", step.subject().integer, within_text(step)),
-            last && recent(run, step, last->time), age_text(run, last)};
+            last && recent(run, step, last->time), age_text(run, last ? &last->time : nullptr)};
 }
 
 Outcome expect_no_tpdo(Run& run, const Step& step) {
     const auto last = last_tpdo(run, step);
     return {fmt::format("no TPDO{} {}", step.subject().integer, within_text(step)),
-            !last || !recent(run, step, last->time), age_text(run, last)};
+            !last || !recent(run, step, last->time), age_text(run, last ? &last->time : nullptr)};
 }
 
 Outcome expect_heartbeat(Run& run, const Step& step) {
@@ -190,11 +189,12 @@ Outcome expect_heartbeat(Run& run, const Step& step) {
     const auto& all = plant_of(run).node().heartbeats();
     const auto found = std::find_if(all.rbegin(), all.rend(),
                                     [gateway](const auto& heard) { return heard.node_id == gateway; });
-    const auto last = found == all.rend() ? std::nullopt : std::optional(*found);
+    const auto* const last = found == all.rend() ? nullptr : &*found;
     const bool fresh = last && recent(run, step, last->time);
     return {fmt::format("heartbeat {} {}", simulation::to_text(wanted), within_text(step)),
             fresh && last->state == wanted,
-            fresh ? fmt::format("it says {}", simulation::to_text(last->state)) : age_text(run, last)};
+            fresh ? fmt::format("it says {}", simulation::to_text(last->state))
+                  : age_text(run, last ? &last->time : nullptr)};
 }
 
 Outcome expect_boot_ups(Run& run, const Step& step) {
