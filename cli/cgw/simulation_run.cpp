@@ -137,7 +137,8 @@ int simulate(const SimulateOptions& options, LoadedSimulation& loaded) {
                             : introduction(installation.image(), scenario));
     const bool complete = run_to_end(run, options, output);
     output.say(options.json ? summary_json(run, complete) : summary(run, complete));
-    int code = run.count().failed == 0 ? exit_fine : exit_findings;
+    const bool all_seen = complete || run.count().steps == run.steps();
+    int code = run.count().failed == 0 && all_seen ? exit_fine : exit_findings;
     if (log) {
         code = worse(code, write_log(*log, options));
         if (code != exit_environment && !options.json) {

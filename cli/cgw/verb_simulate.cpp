@@ -78,8 +78,9 @@ constexpr std::string_view simulate_details =
     "that bus: a hub, an interface of the kernel, a serial adapter. SIGUSR1 then\n"
     "prints the measurements, SIGUSR2 clears errors.\n"
     "The governor link on CAN1 is our own protocol, not HEINZMANN's.\n"
-    "Exit code 0 when everything expected was seen, 1 when something was not or a\n"
-    "file has errors, 3 when something cannot be read or written.\n";
+    "Exit code 0 when everything expected was seen; 1 when something was not, when a\n"
+    "scenario was interrupted before its last step, or when a file has errors; 3 when\n"
+    "something cannot be read or written.\n";
 
 double positive_number(const Arguments& arguments, std::string_view key, double greatest) {
     const std::string text = arguments.value(key);

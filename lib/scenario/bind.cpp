@@ -87,10 +87,11 @@ void bind_named(const Reader& reader, const Family& family, const image::Image& 
     const std::string wanted = base::lowered(value.text);
     std::vector<std::string_view> names;
     for (const Candidate& candidate : candidates) {
-        const bool same = value.text.empty() ? candidate.number == value.integer
-                                             : wanted == base::lowered(candidate.name) ||
-                                                   wanted == base::lowered(candidate.other_name);
-        if (same) {
+        const std::string number = fmt::format("{}", candidate.number);
+        const std::string name = base::lowered(candidate.name);
+        const bool called_so = wanted == name || wanted == number || wanted == number + ' ' + name ||
+                               wanted == base::lowered(candidate.other_name);
+        if (value.text.empty() ? candidate.number == value.integer : called_so) {
             value.integer = candidate.number;
             return;
         }

@@ -291,6 +291,17 @@ class Interrupted(Verb):
             self.assertGreater((self.dir / "run.log").stat().st_size, 1000)
 
 
+    def test_a_scenario_that_did_not_come_to_its_end_is_exit_1(self):
+        process = subprocess.Popen([CGW, "simulate", "--scenario", SCENARIOS / "silent-plc.toml", "--speed", "1"],
+                                   stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+        while "state    Operational" not in process.stdout.readline():
+            pass
+        process.send_signal(signal.SIGINT)
+        out, errors = process.communicate(timeout=DEADLINE)
+        self.assertEqual((process.returncode, errors), (1, ""))
+        self.assertRegex(out, r"interrupted after \d+ of \d+ steps\n")
+
+
 class Terminal(Verb):
     def on_a_terminal(self, *arguments, columns=80, rows=24, until=None, **extra):
         """Exit code and what arrives at the other end of a pseudo-terminal; interrupted once `until` was seen."""

@@ -14,8 +14,9 @@ std::string findings_in_step(const std::string& step) {
 
 TEST(ScenarioNames, are_numbers_or_names_of_the_plant) {
     for (const char* step : {"fail = 902", "fail = \"assignin_setp1ext\"", "fail = \"AmbientPressure\"",
-                             "switch = 835, on = true", "switch = \"FunctLoadEnable\", on = true",
-                             "expect-word = 2905, min = 1", "expect-word = \"OilPressure\", min = 1"}) {
+                             "fail = \"902\"", "fail = \"900 AssignIn_Setp1Ext\"", "switch = 835, on = true",
+                             "switch = \"FunctLoadEnable\", on = true", "expect-word = 2905, min = 1",
+                             "expect-word = \"OilPressure\", min = 1"}) {
         EXPECT_EQ(findings_in_step(step), "") << step;
     }
 }
