@@ -56,7 +56,7 @@ def make_initramfs(directory, check, gateway, cgw, plant, kernel):
 
 
 def boot(kernel, image):
-    command = ["qemu-system-x86_64", "-accel", "tcg", "-cpu", "max", "-m", "384", "-smp", "1", "-nodefaults", "-no-reboot",
+    command = ["qemu-system-x86_64", "-accel", "tcg", "-cpu", "max", "-m", "1024", "-smp", "1", "-nodefaults", "-no-reboot",
                "-display", "none", "-serial", "stdio", "-kernel", str(kernel / "vmlinuz"), "-initrd", str(image),
                "-append", "console=ttyS0 quiet panic=-1 loglevel=3"]
     try:
