@@ -1,5 +1,8 @@
 #include "cli/cgw/artefact_options.hpp"
 #include "base/ascii.hpp"
+#include "base/numbers.hpp"
+#include "base/utf8.hpp"
+#include "image/layout.hpp"
 
 #include <fmt/format.h>
 
@@ -26,18 +29,6 @@ std::string format_of(const Arguments& arguments, const emit::Emitter& emitter) 
     return name;
 }
 
-unsigned alignment_of(const std::string& text) {
-    constexpr unsigned largest = 4096;
-    unsigned n = 0;
-    const char* const end = text.data() + text.size();
-    const auto [stop, error] = std::from_chars(text.data(), end, n);
-    if (error != std::errc{} || stop != end || n == 0 || n > largest || (n & (n - 1)) != 0) {
-        throw UsageError(
-            fmt::format("--align {}: the alignment is a power of two from 1 to {}", text, largest));
-    }
-    return n;
-}
-
 std::string symbol_of(const std::string& symbol) {
     if (symbol.empty() || !is_of_identifier(symbol.front()) || base::is_digit(symbol.front()) ||
         !std::all_of(symbol.begin(), symbol.end(), is_of_identifier)) {
@@ -55,29 +46,74 @@ std::string section_of(const std::string& section) {
     return section;
 }
 
-bool takes(const emit::Emitter& emitter, std::string_view option) {
-    return std::find(emitter.options.begin(), emitter.options.end(), option) != emitter.options.end();
+bool contains(std::span<const std::string_view> options, std::string_view option) {
+    return std::find(options.begin(), options.end(), option) != options.end();
 }
 
-void refuse_foreign_option(const emit::Emitter& emitter, std::string_view option) {
-    std::vector<std::string_view> takers;
+bool takes(const emit::Emitter& emitter, const emit::Format& format, std::string_view option) {
+    return contains(emitter.options, option) || contains(format.options, option);
+}
+
+void refuse_foreign_option(const emit::Emitter& emitter, const emit::Format& format,
+                           std::string_view option) {
+    std::vector<std::string> takers;
+    bool of_another_format = false;
     for (const emit::Emitter& other : emit::all_emitters()) {
-        if (takes(other, option)) {
-            takers.push_back(other.name);
+        if (contains(other.options, option)) {
+            takers.emplace_back(other.name);
         }
-    }
-    throw UsageError(
-        fmt::format("{} is an option of {}, not of {}", option, fmt::join(takers, ", "), emitter.name));
-}
-
-void refuse_foreign_options(const Arguments& arguments, const emit::Emitter& emitter) {
-    for (const emit::Emitter& other : emit::all_emitters()) {
-        for (const std::string_view option : other.options) {
-            if (!takes(emitter, option) && arguments.given(option)) {
-                refuse_foreign_option(emitter, option);
+        for (const emit::Format& form : other.formats) {
+            if (contains(form.options, option)) {
+                takers.push_back(fmt::format("{} --format {}", other.name, form.name));
+                of_another_format = of_another_format || &other == &emitter;
             }
         }
     }
+    throw UsageError(fmt::format("{} is an option of {}, not of {}{}", option, fmt::join(takers, ", "),
+                                 emitter.name,
+                                 of_another_format ? fmt::format(" --format {}", format.name) : ""));
+}
+
+void refuse_foreign_options(const Arguments& arguments, const emit::Emitter& emitter,
+                            const emit::Format& format) {
+    const auto check = [&](std::span<const std::string_view> options) {
+        for (const std::string_view option : options) {
+            if (arguments.given(option) && !takes(emitter, format, option)) {
+                refuse_foreign_option(emitter, format, option);
+            }
+        }
+    };
+    for (const emit::Emitter& other : emit::all_emitters()) {
+        check(other.options);
+        for (const emit::Format& form : other.formats) {
+            check(form.options);
+        }
+    }
+}
+
+// Any image fits behind it: the verifier takes none of more than 64 KiB.
+std::uint32_t base_of(const Arguments& arguments, const emit::Format& format, unsigned alignment) {
+    constexpr std::uint64_t highest = (std::uint64_t{1} << 32U) - image::maximum_size;
+    if (!contains(format.options, "--base")) {
+        return 0;
+    }
+    if (!arguments.given("--base")) {
+        throw UsageError(fmt::format("--format {} needs --base ADDRESS: where the image stands in the device",
+                                     format.name));
+    }
+    const std::uint64_t base = address_of(arguments, "--base");
+    if (base > highest || base % alignment != 0) {
+        throw UsageError(fmt::format("--base {}: the address is a multiple of {} up to 0x{:X}",
+                                     arguments.value("--base"), alignment, highest));
+    }
+    return static_cast<std::uint32_t>(base);
+}
+
+std::string image_file_of(const std::string& name) {
+    if (name.empty() || base::printable(name) != name || name.find_first_of("\"\\") != std::string::npos) {
+        throw UsageError(fmt::format("--incbin {}: a file name without quotes and backslashes", name));
+    }
+    return name;
 }
 
 }  // namespace
@@ -104,6 +140,31 @@ std::vector<Word> artefact_format_words() {
     return words;
 }
 
+unsigned alignment_of(const Arguments& arguments) {
+    constexpr unsigned largest = 4096;
+    const std::string text = arguments.value("--align");
+    unsigned n = 0;
+    const char* const end = text.data() + text.size();
+    const auto [stop, error] = std::from_chars(text.data(), end, n);
+    if (error != std::errc{} || stop != end || n == 0 || n > largest || (n & (n - 1)) != 0) {
+        throw UsageError(
+            fmt::format("--align {}: the alignment is a power of two from 1 to {}", text, largest));
+    }
+    return n;
+}
+
+std::uint64_t address_of(const Arguments& arguments, std::string_view key) {
+    const std::string text = arguments.value(key);
+    const bool hexadecimal = text.starts_with("0x") || text.starts_with("0X");
+    const std::string_view number = std::string_view(text).substr(hexadecimal ? 2 : 0);
+    const std::string_view digits = hexadecimal ? base::hexadecimal_digits : base::digits;
+    const auto value = base::parse_integer(number, hexadecimal ? 16 : 10);
+    if (!base::consists_of(number, digits) || !value) {
+        throw UsageError(fmt::format("{} {}: an address is a number such as 0x08010000", key, text));
+    }
+    return static_cast<std::uint64_t>(*value);
+}
+
 std::string eds_name_of(const Arguments& arguments) {
     const base::Result<std::string> name = emit::eds_file_name(arguments.value("--eds-name"));
     if (!name) {
@@ -113,12 +174,15 @@ std::string eds_name_of(const Arguments& arguments) {
 }
 
 emit::Options artefact_options(const Arguments& arguments, const emit::Emitter& emitter) {
-    refuse_foreign_options(arguments, emitter);
     emit::Options options;
     options.format = format_of(arguments, emitter);
+    const emit::Format& format = *emit::find_format(emitter, options.format);
+    refuse_foreign_options(arguments, emitter, format);
     options.section = section_of(arguments.value("--section"));
-    options.alignment = alignment_of(arguments.value("--align"));
+    options.alignment = alignment_of(arguments);
     options.symbol = symbol_of(arguments.value("--symbol"));
+    options.image_file = image_file_of(arguments.value("--incbin"));
+    options.base = base_of(arguments, format, options.alignment);
     options.eds_name = eds_name_of(arguments);
     return options;
 }

@@ -22,12 +22,21 @@ inline constexpr Option section_option = {.names = "--section",
                                           .value = "NAME",
                                           .summary = "image-source: linker section",
                                           .default_value = ".cgw_config"};
-inline constexpr Option alignment_option = {
-    .names = "--align", .value = "N", .summary = "image-source: alignment in bytes", .default_value = "8"};
+inline constexpr Option alignment_option = {.names = "--align",
+                                            .value = "N",
+                                            .summary = "image-source, ihex, srec: alignment in bytes",
+                                            .default_value = "8"};
 inline constexpr Option symbol_option = {.names = "--symbol",
                                          .value = "NAME",
                                          .summary = "image-source: name of the array",
                                          .default_value = "cgw_config_image"};
+inline constexpr Option incbin_option = {.names = "--incbin",
+                                         .value = "PATH",
+                                         .summary = "image-source --format asm: the image file it includes",
+                                         .default_value = emit::default_image_file,
+                                         .completes = Completes::files};
+inline constexpr Option base_option = {
+    .names = "--base", .value = "ADDRESS", .summary = "ihex, srec: address of the image in the device"};
 
 inline constexpr Option eds_name_option = {
     .names = "--eds-name",
@@ -37,6 +46,10 @@ inline constexpr Option eds_name_option = {
 };
 inline constexpr Option generic_option = {
     .names = "--generic", .summary = "eds: the manual's data sheet, faults mended; takes no FILE"};
+
+// These throw UsageError when a value is wrong.
+unsigned alignment_of(const Arguments& arguments);                           // --align
+std::uint64_t address_of(const Arguments& arguments, std::string_view key);  // decimal, or 0x and hexadecimal
 
 // Throws UsageError when a value is wrong or the emitter does not take an option that was given.
 std::string eds_name_of(const Arguments& arguments);

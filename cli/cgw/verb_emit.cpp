@@ -116,6 +116,8 @@ constexpr Option emit_options[] = {
     section_option,
     alignment_option,
     symbol_option,
+    incbin_option,
+    base_option,
     check_option,
     list_outputs_option,
     depfile_option,

@@ -131,8 +131,12 @@ std::string render_human(const RenderInput& input) {
         for (const Diagnostic& finding : file.findings) {
             append_finding(text, finding, lines, input.color);
         }
-        text += summary(file);
-        append_not_verified(text, file);
+        if (input.verdicts) {
+            text += summary(file);
+            append_not_verified(text, file);
+        } else if (!text.empty()) {
+            text.pop_back();  // the blank line
+        }
     }
     return text;
 }

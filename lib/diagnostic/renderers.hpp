@@ -26,6 +26,7 @@ struct RenderInput {
     std::map<std::string, std::string> sources;
     bool color = false;
     std::string tool_version{};
+    bool verdicts = true;  // for people: behind the findings of a file a line whether it is valid
 };
 
 struct Renderer {

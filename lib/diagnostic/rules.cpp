@@ -24,6 +24,7 @@ std::string_view language_of(Example example) {
             return "toml";
         case Example::table:
         case Example::table_rows:
+        case Example::firmware:
             return "text";
     }
     return "";
@@ -108,6 +109,17 @@ const Rule* const table[] = {
     &step_subject,
     &step_value,
     &step_answer,
+    &firmware_kind,
+    &record_line,
+    &record_checksum,
+    &record_address,
+    &record_end,
+    &elf_structure,
+    &firmware_section,
+    &firmware_address,
+    &image_alignment,
+    &image_room,
+    &image_occupied,
 };
 
 }  // namespace

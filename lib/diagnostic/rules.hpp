@@ -1,7 +1,7 @@
 // Every finding cgw can make, one row each. A code is never reused; a name never changes.
 // E00 file and TOML · E01 keys, parameters, values · E02 what makes the plant fail · E03 warnings · E04
-// notes · E05 tables read in and files copied · E06 scenario files. The rows stand in one source file per group; what explains,
-// lists or documents findings reads them.
+// notes · E05 tables read in and files copied · E06 scenario files · E07 firmware files. The rows stand in
+// one source file per group; what explains, lists or documents findings reads them.
 #pragma once
 
 #include <span>
@@ -21,6 +21,7 @@ enum class Example {
     table,           // a whole printed table of the governor
     table_rows,      // rows of one, on top of a table that prints every row of concern
     scenario,        // steps of a scenario of samples/genset.toml that lasts 10 s
+    firmware,        // an Intel HEX file into which an image is put at 0x08010000
 };
 
 // The language of such an example, as Markdown names it behind a fence: "toml", "text".
@@ -133,6 +134,19 @@ CGW_RULE(step_time);
 CGW_RULE(step_subject);
 CGW_RULE(step_value);
 CGW_RULE(step_answer);
+
+// E07: firmware files, and images in them
+CGW_RULE(firmware_kind);
+CGW_RULE(record_line);
+CGW_RULE(record_checksum);
+CGW_RULE(record_address);
+CGW_RULE(record_end);
+CGW_RULE(elf_structure);
+CGW_RULE(firmware_section);
+CGW_RULE(firmware_address);
+CGW_RULE(image_alignment);
+CGW_RULE(image_room);
+CGW_RULE(image_occupied);
 
 #undef CGW_RULE
 

@@ -17,6 +17,7 @@
 namespace cgw::emit {
 
 inline constexpr std::string_view default_eds_name = "CANopenGateway.eds";
+inline constexpr std::string_view default_image_file = "gateway-config.bin";
 
 // A checked configuration with everything the emitters need.
 struct Plant {
@@ -37,10 +38,12 @@ struct Origin {
 };
 
 struct Options {
-    std::string format;                                    // one of the emitter's formats; "" is its first
-    std::string section = ".cgw_config";                   // --section: linker section
-    unsigned alignment = 8;                                // --align: bytes, a power of two
-    std::string symbol = "cgw_config_image";               // --symbol: C identifier
+    std::string format;                       // one of the emitter's formats; "" is its first
+    std::string section = ".cgw_config";      // --section: linker section
+    unsigned alignment = 8;                   // --align: bytes, a power of two
+    std::string symbol = "cgw_config_image";  // --symbol: C identifier
+    std::string image_file = std::string(default_image_file);  // --incbin: what the assembler includes
+    std::uint32_t base = 0;  // --base: address of the image, which ends below 2^32 with it
     std::string eds_name = std::string(default_eds_name);  // --eds-name: as eds_file_name() returns it
 };
 
@@ -48,6 +51,7 @@ struct Format {
     std::string_view name;          // "md"
     std::string_view file_name;     // what `build` calls it: "pdo-table.md"; "" when build leaves it out
     bool follows_eds_name = false;  // `file_name` is an ending, ".dcf", behind the stem of Options::eds_name
+    std::span<const std::string_view> options{};  // what this format takes beside those of the emitter
 };
 
 struct Emitter {

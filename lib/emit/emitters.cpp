@@ -8,8 +8,13 @@ namespace {
 constexpr std::array eds_formats{Format{"eds", ".eds", true}};
 constexpr std::array dcf_formats{Format{"dcf", ".dcf", true}};
 constexpr std::array dbc_formats{Format{"dbc", ".dbc", true}};
-constexpr std::array image_formats{Format{"bin", "gateway-config.bin"}};
-constexpr std::array image_source_formats{Format{"cpp", ""}};
+constexpr std::array<std::string_view, 2> address_options{"--base", "--align"};
+constexpr std::array<std::string_view, 1> assembler_options{"--incbin"};
+constexpr std::array image_formats{Format{"bin", default_image_file},
+                                   Format{"ihex", "", false, address_options},
+                                   Format{"srec", "", false, address_options}};
+constexpr std::array image_source_formats{Format{"cpp", ""}, Format{"h", ""},
+                                          Format{"asm", "", false, assembler_options}};
 constexpr std::array<std::string_view, 2> eds_options{"--generic", "--eds-name"};
 constexpr std::array<std::string_view, 1> named_options{"--eds-name"};
 constexpr std::array<std::string_view, 3> image_source_options{"--section", "--align", "--symbol"};
@@ -35,9 +40,10 @@ std::span<const Emitter> all_emitters() {
                 emit_pdo_table},
         Emitter{"entry-sheet", "what to type into DcDesk 2000, device by device", entry_sheet_formats(),
                 emit_entry_sheet},
-        Emitter{"image", "configuration image for the gateway runtime", image_formats, emit_image},
-        Emitter{"image-source", "the configuration image as C++ source", image_source_formats,
-                emit_image_source, image_source_options},
+        Emitter{"image", "configuration image for the gateway runtime: binary, Intel HEX, S-record",
+                image_formats, emit_image},
+        Emitter{"image-source", "the configuration image as C++ source, C header or assembler source",
+                image_source_formats, emit_image_source, image_source_options},
     };
     return emitters;
 }

@@ -412,7 +412,7 @@ class Usage(Verb):
     def test_mistakes_are_exit_2_and_go_to_stderr(self):
         self.assert_usage("did you mean 'check'?", "chek", GENSET)
         self.assert_usage("a verb is missing", *[])
-        self.assert_usage("cgw image needs one of verify, inspect", "image")
+        self.assert_usage("cgw image needs one of verify, inspect, embed", "image")
         self.assert_usage("did you mean 'image verify'?", "image", "verfy", "x")
         self.assert_usage("cgw check has no option --bogus", "check", "--bogus", GENSET)
         self.assert_usage("cgw check has no option -x", "check", "-x")
@@ -439,6 +439,16 @@ class Usage(Verb):
         self.assert_usage("'E0203' is an error and cannot be hidden", "check", "-W", "no-E0203", GENSET)
         self.assert_usage("did you mean 'pdo-table'?", "emit", "pdo-tabel", GENSET)
         self.assert_usage("the formats of pdo-table are", "emit", "pdo-table", GENSET, "--format", "xml")
+        self.assert_usage("--base is an option of image --format ihex, image --format srec, not of image --format bin",
+                          "emit", "image", GENSET, "--base", "0x100")
+        self.assert_usage("--incbin is an option of image-source --format asm, not of image-source --format cpp",
+                          "emit", "image-source", GENSET, "--incbin", "x.bin")
+        self.assert_usage("--format srec needs --base ADDRESS", "emit", "image", GENSET, "--format", "srec")
+        for base in ("0x104", "0x100000000", "4294967288"):
+            self.assert_usage("a multiple of 8 up to 0xFFFF0000", "emit", "image", GENSET, "--format", "ihex", "--base", base)
+        for base in ("", "x", "0x", "-8", "+8", "0x1G", "8 "):
+            self.assert_usage("such as 0x08010000", "emit", "image", GENSET, "--format", "ihex", "--base", base)
+        self.assert_usage("without quotes", "emit", "image-source", GENSET, "--format", "asm", "--incbin", 'a"b')
         self.assert_usage("power of two", "emit", "image-source", GENSET, "--align", "3")
         self.assert_usage("C identifier", "emit", "image-source", GENSET, "--symbol", "a-b")
         self.assert_usage("section name", "emit", "image-source", GENSET, "--section", '"x')

@@ -11,6 +11,7 @@
 #include "driver/scenario_file.hpp"
 #include "driver/tables.hpp"
 #include "emit/concerned.hpp"
+#include "firmware_file/embed.hpp"
 #include "support/scratch_directory.hpp"
 
 namespace cgw::driver {
@@ -89,6 +90,19 @@ diagnostic::Findings findings_in_scenario(const std::string& steps) {
     return file.findings;
 }
 
+// What putting the sample's image into this Intel HEX file finds.
+diagnostic::Findings findings_in_firmware(const std::string& text) {
+    const base::Result<base::Bytes> bytes = image_bytes(check_file(CGW_SAMPLES "/genset.toml"));
+    image::Image image;
+    EXPECT_EQ(image::Image::open(*bytes, image), image::Status::ok);
+    const auto embedded = firmware_file::embed(base::to_bytes(text), image, {{"", 0x08010000}});
+    diagnostic::Findings findings;
+    if (!embedded) {
+        findings.report(embedded.error());
+    }
+    return findings;
+}
+
 diagnostic::Findings findings_of(Example kind, std::string_view example) {
     switch (kind) {
         case Example::none:
@@ -103,6 +117,8 @@ diagnostic::Findings findings_of(Example kind, std::string_view example) {
             return findings_in_table(with_rows(complete_table(Device::governor), example), true);
         case Example::scenario:
             return findings_in_scenario(std::string(example));
+        case Example::firmware:
+            return findings_in_firmware(std::string(example));
     }
     return {};
 }
@@ -144,7 +160,9 @@ TEST(RuleExampleKinds, without_examples_are_the_rules_that_nothing_printed_can_b
     for (const Rule* rule : diagnostic::all_rules()) {
         names += rule->example == Example::none ? fmt::format("{} ", rule->name) : "";
     }
-    EXPECT_EQ(names, "file-unreadable file-too-large file-not-utf8 ");
+    EXPECT_EQ(names,
+              "file-unreadable file-too-large file-not-utf8 elf-structure firmware-section firmware-address "
+              "image-alignment image-room ");
 }
 
 }  // namespace

@@ -1,0 +1,160 @@
+#include "firmware_file/embed.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "base/sha256.hpp"
+#include "image/area.hpp"
+
+namespace cgw::firmware_file {
+namespace {
+
+namespace rules = diagnostic::rules;
+
+constexpr std::size_t shown_id_bytes = 8;
+
+// What the image will cover, and what is there now.
+struct Room {
+    Area present;  // from the beginning to the end of section or segment; of records, what stands there
+    std::uint64_t size = 0;   // bytes that will be written
+    std::size_t earlier = 0;  // of them, those of an earlier image
+};
+
+Outcome<Room> room_in_section(const FirmwareFile& file, std::string_view name, std::size_t image_size) {
+    const Outcome<Area> section = file.section(name);
+    if (!section) {
+        return tl::unexpected(section.error());
+    }
+    if (image_size > section->bytes.size()) {
+        return refuse(rules::image_room, fmt::format("section {} has {} bytes, the image needs {}", name,
+                                                     section->bytes.size(), image_size));
+    }
+    return Room{*section, section->bytes.size(), intact_size(section->bytes)};
+}
+
+Outcome<Room> room_at_address(const FirmwareFile& file, std::uint64_t address, std::size_t image_size) {
+    const Outcome<Area> present = file.from(address);
+    if (!present) {
+        return tl::unexpected(present.error());
+    }
+    if (file.kind() == Kind::elf) {
+        if (present->bytes.empty()) {
+            return refuse(rules::firmware_address,
+                          fmt::format("no loaded segment has contents at {}", address_text(address)), {},
+                          "reserve the area in the program, as a section of read-only data");
+        }
+        if (image_size > present->bytes.size()) {
+            return refuse(rules::image_room,
+                          fmt::format("the segment ends {} bytes behind {}, the image needs {}",
+                                      present->bytes.size(), address_text(address), image_size));
+        }
+    } else if (address > address_limit || image_size > address_limit - address) {
+        return refuse(rules::firmware_address,
+                      fmt::format("at {} the image would end beyond 32 bits", address_text(address)));
+    }
+    const std::size_t earlier = intact_size(present->bytes);
+    return Room{*present, std::max(image_size, earlier), earlier};
+}
+
+// Behind the earlier image only bytes of one value may be covered.
+Outcome<Replaced> replaceable(const FirmwareFile& file, const Room& room, const EmbedOptions& options) {
+    const std::uint64_t begin = room.present.address + room.earlier;
+    const std::uint64_t end = room.present.address + room.size;
+    std::uint8_t filling = options.fill;
+    if (!options.target.section.empty() && room.earlier < room.size &&
+        room.present.bytes[room.earlier] == 0) {
+        filling = 0;
+    } else if (!options.target.section.empty()) {
+        filling = 0xFF;
+    }
+    bool covers = false;
+    for (const Area& area : file.areas()) {
+        const std::uint64_t first = std::max(begin, area.address);
+        const std::uint64_t last = std::min(end, area.end());
+        if (first >= last) {
+            continue;
+        }
+        covers = true;
+        const std::span<const std::uint8_t> bytes = area.bytes.subspan(first - area.address, last - first);
+        const auto data =
+            std::find_if(bytes.begin(), bytes.end(), [&](std::uint8_t b) { return b != filling; });
+        if (data != bytes.end()) {
+            const std::uint64_t where = first + static_cast<std::uint64_t>(data - bytes.begin());
+            const bool begun = room.earlier == 0 && !image::image_in(room.present.bytes).empty();
+            return refuse(
+                rules::image_occupied,
+                fmt::format("at {} stands 0x{:02X}, and {}", address_text(where), *data,
+                            begun ? "the image there is damaged: its CRC-32 does not fit"
+                                  : "no image: the area is not free"),
+                {},
+                options.target.section.empty()
+                    ? "leave the area out of the firmware, or fill it with 0xFF (0x00 with --fill 0x00)"
+                    : "reserve the section with 0xFF or 0x00 throughout");
+        }
+    }
+    if (room.earlier != 0) {
+        return Replaced::image;
+    }
+    return covers ? Replaced::reserved : Replaced::nothing;
+}
+
+void prove(const Embedded& embedded, const FirmwareFile& before, const image::Image& image) {
+    const Outcome<FirmwareFile> after = FirmwareFile::read(embedded.file);
+    if (!after) {
+        throw std::logic_error("the new firmware file cannot be read: " + after.error().message);
+    }
+    const Outcome<Area> found = image_at(*after, {"", embedded.address});
+    image::Image read;
+    if (!found || image::Image::open(found->bytes, read) != image::Status::ok ||
+        !std::equal(found->bytes.begin(), found->bytes.end(), image.bytes().begin(), image.bytes().end())) {
+        throw std::logic_error("the image is not in the new firmware file");
+    }
+    if (!after->same_outside(before, embedded.address, embedded.address + embedded.size)) {
+        throw std::logic_error("the new firmware file differs outside the image");
+    }
+}
+
+}  // namespace
+
+Outcome<Embedded> embed(std::span<const std::uint8_t> firmware, const image::Image& image,
+                        const EmbedOptions& options) {
+    Outcome<FirmwareFile> file = FirmwareFile::read(firmware);
+    if (!file) {
+        return tl::unexpected(file.error());
+    }
+    const std::size_t image_size = image.bytes().size();
+    const Target& target = options.target;
+    const Outcome<Room> room = target.section.empty() ? room_at_address(*file, target.address, image_size)
+                                                      : room_in_section(*file, target.section, image_size);
+    if (!room) {
+        return tl::unexpected(room.error());
+    }
+    const std::uint64_t address = room->present.address;
+    if (address % options.alignment != 0) {
+        return refuse(rules::image_alignment,
+                      fmt::format("{} is no multiple of {}", address_text(address), options.alignment));
+    }
+    if (const Outcome<void> allowed = file->allows(address, room->size); !allowed) {
+        return tl::unexpected(allowed.error());
+    }
+    const Outcome<Replaced> replaced = replaceable(*file, *room, options);
+    if (!replaced) {
+        return tl::unexpected(replaced.error());
+    }
+    Embedded embedded{{}, address, room->size, *replaced, {}};
+    if (room->earlier != 0) {
+        embedded.replaced_id =
+            base::to_hex(room->present.bytes.subspan(image::header::configuration_id, shown_id_bytes));
+    }
+    base::Bytes bytes(room->size, options.fill);
+    std::copy(image.bytes().begin(), image.bytes().end(), bytes.begin());
+    const FirmwareFile before = *file;
+    file->put(address, bytes);
+    embedded.file = file->bytes();
+    prove(embedded, before, image);
+    return embedded;
+}
+
+}  // namespace cgw::firmware_file

@@ -1,0 +1,70 @@
+#include "firmware_file/find_image.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "image/area.hpp"
+#include "image/layout.hpp"
+#include "wire/crc32.hpp"
+#include "wire/little_endian.hpp"
+
+namespace cgw::firmware_file {
+namespace {
+
+constexpr std::size_t most_places = 64;  // each costs a CRC-32 over up to 64 KiB
+
+}  // namespace
+
+std::size_t intact_size(std::span<const std::uint8_t> bytes) {
+    const std::span<const std::uint8_t> stated = image::image_in(bytes);
+    if (stated.empty()) {
+        return 0;
+    }
+    const std::size_t body = stated.size() - image::crc_size;
+    return wire::crc32(stated.first(body)) == wire::load_u32(&stated[body]) ? stated.size() : 0;
+}
+
+Outcome<Area> image_at(const FirmwareFile& file, const Target& target) {
+    Outcome<Area> area = target.section.empty() ? file.from(target.address) : file.section(target.section);
+    if (!area) {
+        return area;
+    }
+    if (area->bytes.empty()) {
+        return refuse(diagnostic::rules::firmware_address,
+                      fmt::format("nothing stands at {}", address_text(area->address)));
+    }
+    const std::span<const std::uint8_t> stated = image::image_in(area->bytes);
+    area->bytes =
+        stated.empty() ? area->bytes.first(std::min(area->bytes.size(), image::maximum_size)) : stated;
+    return area;
+}
+
+Outcome<std::vector<Area>> find_images(const FirmwareFile& file) {
+    std::vector<Area> found;
+    for (const Area& area : file.areas()) {
+        std::span<const std::uint8_t> rest = area.bytes;
+        while (true) {
+            const auto next =
+                std::search(rest.begin(), rest.end(), std::begin(image::magic), std::end(image::magic));
+            rest = rest.subspan(static_cast<std::size_t>(next - rest.begin()));
+            if (rest.empty()) {
+                break;
+            }
+            const std::span<const std::uint8_t> stated = image::image_in(rest);
+            if (!stated.empty()) {
+                if (found.size() == most_places) {
+                    return refuse(diagnostic::rules::firmware_address,
+                                  fmt::format("more than {} places look like an image", most_places), {},
+                                  "say where with --address");
+                }
+                found.push_back({area.end() - rest.size(), stated});
+            }
+            const std::size_t intact = intact_size(rest);
+            rest = rest.subspan(intact != 0 ? intact : sizeof image::magic);
+        }
+    }
+    return found;
+}
+
+}  // namespace cgw::firmware_file

@@ -1,0 +1,85 @@
+#include "firmware_file/s_record.hpp"
+
+#include <gtest/gtest.h>
+
+#include "text.hpp"
+
+namespace cgw::firmware_file {
+namespace {
+
+using test::refusal;
+using test::replaced;
+
+const std::string good =
+    "S00600004844521B\n"
+    "S315080000F0000102030405060708090A0B0C0D0E0F7A\n"
+    "S3090800010010111213A7\n"
+    "S5030002FA\n"
+    "S705080000ED05\n";
+
+Outcome<SRecord> read(const std::string& text) {
+    return read_s_record(base::to_bytes(text));
+}
+
+TEST(SRecordFile, is_read_and_written_back_the_same) {
+    const Outcome<SRecord> file = read(good);
+    ASSERT_EQ(refusal(file), "");
+    ASSERT_EQ(file->memory.blocks().size(), 1U);
+    EXPECT_EQ(file->memory.blocks()[0].address, 0x080000F0U);
+    EXPECT_EQ(file->memory.blocks()[0].bytes.size(), 20U);
+    EXPECT_EQ(file->header, base::to_bytes("HDR"));
+    EXPECT_EQ(file->start, 0x080000EDU);
+    EXPECT_EQ(write_s_record(*file), good);
+}
+
+TEST(SRecordFile, keeps_the_width_of_its_addresses_until_they_need_more) {
+    Outcome<SRecord> file = read("S1050010AABB85\r\nS9030000FC\r\n");
+    ASSERT_EQ(refusal(file), "");
+    EXPECT_EQ(write_s_record(*file), "S1050010AABB85\r\nS9030000FC\r\n");
+    file->memory.put(0x10000, base::Bytes{1});
+    EXPECT_EQ(write_s_record(*file), "S206000010AABB84\r\nS20501000001F8\r\nS804000000FB\r\n");
+    file->memory.put(0xFFFFFFFF, base::Bytes{1});
+    EXPECT_EQ(write_s_record(*file).substr(0, 4), "S307");
+}
+
+TEST(SRecordFile, is_refused_at_the_place_of_its_fault) {
+    const auto with = [](const std::string& old, const std::string& text) {
+        return refusal(read(replaced(good, old, text)));
+    };
+    EXPECT_EQ(with("0E0F7A", "0E0F7B"), "2:45-47 record-checksum: the checksum is 7B, the bytes give 7A");
+    EXPECT_EQ(with("S309", "S308"), "3:1-23 record-line: the record says that 8 bytes follow, and has 9");
+    EXPECT_EQ(with("S309", "S409"), "3:1-3 record-line: there are no records S4");
+    EXPECT_EQ(with("S309", "T309"), "3:1-23 record-line: a record begins with S0 to S9");
+    EXPECT_EQ(with("S309", "S30X"), "3:4-5 record-line: 'X' is no hexadecimal digit");
+    EXPECT_EQ(with("S3090800010010111213A7", "S3"), "3:1-3 record-line: the record has no length");
+    EXPECT_EQ(with("S3090800010010111213A7", "S304080001F2"),
+              "3:1-13 record-line: the record is too short for its address and checksum");
+    EXPECT_EQ(with("S3090800010010111213A7", "S309080000F210111213B6"),
+              "3:1-23 record-address: address 0x080000F2 is given again; line 2 has it already");
+    EXPECT_EQ(with("S3090800010010111213A7", "S105FFFFAABB97"),
+              "3:5-9 record-address: the record runs over the highest address it can have");
+    EXPECT_EQ(with("S5030002FA", "S5030003F9"),
+              "4:1-11 record-end: the file has 2 data records, this says 3");
+    EXPECT_EQ(with("S5030002FA", "S5040002AA4F"), "4:1-13 record-line: this kind of record has no data");
+    EXPECT_EQ(with("S705080000ED05\n", ""),
+              "4:1-1 record-end: the file ends without an end record (S7, S8 or S9): it is not whole");
+    EXPECT_EQ(with("S705080000ED05\n", "S705080000ED05\nS5030002FA\n"),
+              "6:1-11 record-end: something stands behind the end record");
+}
+
+// The digit behind the S is in no checksum; files that mix widths of addresses are common.
+TEST(SRecordFile, never_loses_or_changes_data_when_it_was_cut_or_another_digit_changed) {
+    const Memory memory = read(good)->memory;
+    for (std::size_t size = 0; size + 1 < good.size(); ++size) {
+        EXPECT_NE(refusal(read(good.substr(0, size))), "") << size;
+    }
+    for (std::size_t bit = 0; bit < 8 * good.size(); ++bit) {
+        const std::string damaged = test::flipped(good, bit);
+        const Outcome<SRecord> file = read(damaged);
+        const bool is_type = bit >= 8 && good[bit / 8 - 1] == 'S';
+        EXPECT_TRUE(!file || file->memory == memory || is_type) << damaged;
+    }
+}
+
+}  // namespace
+}  // namespace cgw::firmware_file
