@@ -184,6 +184,7 @@ emit::Options artefact_options(const Arguments& arguments, const emit::Emitter& 
     options.image_file = image_file_of(arguments.value("--incbin"));
     options.base = base_of(arguments, format, options.alignment);
     options.eds_name = eds_name_of(arguments);
+    options.labels = !arguments.given("--no-labels");
     return options;
 }
 

@@ -37,6 +37,9 @@ inline constexpr Option incbin_option = {.names = "--incbin",
                                          .completes = Completes::files};
 inline constexpr Option base_option = {
     .names = "--base", .value = "ADDRESS", .summary = "ihex, srec: address of the image in the device"};
+inline constexpr Option no_labels_option = {
+    .names = "--no-labels",
+    .summary = "image, image-source: leave out names and units, which only displays need"};
 
 inline constexpr Option eds_name_option = {
     .names = "--eds-name",

@@ -118,6 +118,7 @@ constexpr Option emit_options[] = {
     symbol_option,
     incbin_option,
     base_option,
+    no_labels_option,
     check_option,
     list_outputs_option,
     depfile_option,

@@ -155,7 +155,7 @@ constexpr Option embed_options[] = {
 
 const Verb image_embed_verb = {
     "image embed", "put an image into a firmware file", embed_options, image_embed,
-    "Replaces an earlier image or a reserved area, never anything else. Checksums that\n"
-    "a firmware keeps over itself must be made afterwards.\n"};
+    "Replaces an earlier image or a reserved area, never anything else. Checksums\n"
+    "that a firmware keeps over itself must be made afterwards.\n"};
 
 }  // namespace cgw::cli

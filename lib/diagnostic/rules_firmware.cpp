@@ -20,8 +20,7 @@ const Rule firmware_kind{
     .reference = "",
     .why =
         "An image is put at an address or into a section, and only these files say what stands where. A "
-        "plain "
-        "binary file does not say where it belongs.",
+        "plain binary file does not say where it belongs.",
     .example = Example::firmware,
     .bad = "not a firmware file\n",
     .good = good_file};
@@ -40,21 +39,21 @@ const Rule record_line{
         ":08000000FFFFFFFFFFFFFF00\n"
         ":00000001FF\n",
     .good = good_file};
-const Rule record_checksum{.code = "E0703",
-                           .name = "record-checksum",
-                           .level = Level::error,
-                           .summary = "the checksum of a record fits its bytes",
-                           .reference = "",
-                           .why =
-                               "A wrong checksum is a byte that has changed since the file was written. A "
-                               "firmware with a wrong byte "
-                               "is not to be patched but to be built again.",
-                           .example = Example::firmware,
-                           .bad =
-                               ":020000040801F1\n"
-                               ":08000000FFFFFFFFFFFEFFFF00\n"
-                               ":00000001FF\n",
-                           .good = good_file};
+const Rule record_checksum{
+    .code = "E0703",
+    .name = "record-checksum",
+    .level = Level::error,
+    .summary = "the checksum of a record fits its bytes",
+    .reference = "",
+    .why =
+        "A wrong checksum is a byte that has changed since the file was written. A firmware with a wrong "
+        "byte is not to be patched but to be built again.",
+    .example = Example::firmware,
+    .bad =
+        ":020000040801F1\n"
+        ":08000000FFFFFFFFFFFEFFFF00\n"
+        ":00000001FF\n",
+    .good = good_file};
 const Rule record_address{
     .code = "E0704",
     .name = "record-address",
@@ -63,8 +62,7 @@ const Rule record_address{
     .reference = "",
     .why =
         "Where two records give the same address, the programmer decides which one counts. A record that "
-        "runs "
-        "over the end of its addresses goes on at 0 in some programmers and not in others.",
+        "runs over the end of its addresses goes on at 0 in some programmers and not in others.",
     .example = Example::firmware,
     .bad =
         ":020000040801F1\n"
@@ -98,8 +96,7 @@ const Rule elf_structure{
     .reference = "",
     .why =
         "A file whose headers point outside of it, or whose parts lie over each other, was cut or damaged. "
-        "An "
-        "object file has no addresses yet: the image goes into the linked program.",
+        "An object file has no addresses yet: the image goes into the linked program.",
     .example = Example::none,
     .bad = "",
     .good = ""};
@@ -110,24 +107,24 @@ const Rule firmware_section{
     .summary = "a section for the image exists once, has contents and is loaded into the device",
     .reference = "",
     .why =
-        "A section without contents (NOBITS) is memory that the program clears at its start, and one that is "
-        "not "
-        "loaded never reaches the device. Reserve it as read-only data, for example filled with 0xFF.",
+        "A section without contents (NOBITS) is memory that the program clears at its start, and one that "
+        "is not loaded never reaches the device. Reserve it as read-only data, for example filled with "
+        "0xFF.",
     .example = Example::none,
     .bad = "",
     .good = ""};
-const Rule firmware_address{.code = "E0708",
-                            .name = "firmware-address",
-                            .level = Level::error,
-                            .summary = "an address for the image is one that the file can hold",
-                            .reference = "",
-                            .why =
-                                "An ELF program is not made longer: the image replaces bytes of a loaded "
-                                "segment that stand in the file. "
-                                "Addresses of Intel HEX and S-record files have 32 bits.",
-                            .example = Example::none,
-                            .bad = "",
-                            .good = ""};
+const Rule firmware_address{
+    .code = "E0708",
+    .name = "firmware-address",
+    .level = Level::error,
+    .summary = "an address for the image is one that the file can hold",
+    .reference = "",
+    .why =
+        "An ELF program is not made longer: the image replaces bytes of a loaded segment that stand in the "
+        "file. Addresses of Intel HEX and S-record files have 32 bits.",
+    .example = Example::none,
+    .bad = "",
+    .good = ""};
 const Rule image_alignment{
     .code = "E0709",
     .name = "image-alignment",
@@ -136,23 +133,22 @@ const Rule image_alignment{
     .reference = "",
     .why =
         "The gateway uses the values of the image where they lie. At an odd address many microcontrollers "
-        "stop "
-        "with a fault, or read the value in several steps.",
+        "stop with a fault, or read the value in several steps.",
     .example = Example::none,
     .bad = "",
     .good = ""};
-const Rule image_room{.code = "E0710",
-                      .name = "image-room",
-                      .level = Level::error,
-                      .summary = "an image fits where it is to stand",
-                      .reference = "",
-                      .why =
-                          "What stands behind the section or segment belongs to something else. Reserve 8 "
-                          "KiB: a full configuration "
-                          "with labels has less; without labels, images are smaller.",
-                      .example = Example::none,
-                      .bad = "",
-                      .good = ""};
+const Rule image_room{
+    .code = "E0710",
+    .name = "image-room",
+    .level = Level::error,
+    .summary = "an image fits where it is to stand",
+    .reference = "",
+    .why =
+        "What stands behind the section or segment belongs to something else. Reserve 8 KiB: a full "
+        "configuration has less, also with labels.",
+    .example = Example::none,
+    .bad = "",
+    .good = ""};
 const Rule image_occupied{
     .code = "E0711",
     .name = "image-occupied",
@@ -162,8 +158,7 @@ const Rule image_occupied{
     .why =
         "Code or data would be destroyed, and the firmware would fail somewhere else than here. An area is "
         "reserved when it is absent from the file or filled with the value that stands for empty, and an "
-        "earlier "
-        "image is known by its first bytes, its size and its CRC-32.",
+        "earlier image is known by its first bytes, its size and its CRC-32.",
     .example = Example::firmware,
     .bad =
         ":020000040801F1\n"

@@ -32,7 +32,8 @@ base::Bytes emit_image(const Plant& plant, const Options& options) {
                                                    .configuration = plant.configuration,
                                                    .dictionary = plant.dictionary,
                                                    .configuration_id = plant.configuration_id,
-                                                   .tool_version = plant.tool_version});
+                                                   .tool_version = plant.tool_version,
+                                                   .labels = options.labels});
     if (options.format == "ihex") {
         return base::to_bytes(intel_hex_of({options.base, image}));
     }

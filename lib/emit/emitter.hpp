@@ -45,6 +45,7 @@ struct Options {
     std::string image_file = std::string(default_image_file);  // --incbin: what the assembler includes
     std::uint32_t base = 0;  // --base: address of the image, which ends below 2^32 with it
     std::string eds_name = std::string(default_eds_name);  // --eds-name: as eds_file_name() returns it
+    bool labels = true;                                    // --no-labels: names and units are left out
 };
 
 struct Format {

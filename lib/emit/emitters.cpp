@@ -8,12 +8,14 @@ namespace {
 constexpr std::array eds_formats{Format{"eds", ".eds", true}};
 constexpr std::array dcf_formats{Format{"dcf", ".dcf", true}};
 constexpr std::array dbc_formats{Format{"dbc", ".dbc", true}};
+constexpr std::array<std::string_view, 1> image_options{"--no-labels"};
 constexpr std::array<std::string_view, 2> address_options{"--base", "--align"};
 constexpr std::array<std::string_view, 1> assembler_options{"--incbin"};
 constexpr std::array image_formats{Format{"bin", default_image_file},
                                    Format{"ihex", "", false, address_options},
                                    Format{"srec", "", false, address_options}};
-constexpr std::array image_source_formats{Format{"cpp", ""}, Format{"h", ""},
+constexpr std::array image_source_formats{Format{"cpp", "", false, image_options},
+                                          Format{"h", "", false, image_options},
                                           Format{"asm", "", false, assembler_options}};
 constexpr std::array<std::string_view, 2> eds_options{"--generic", "--eds-name"};
 constexpr std::array<std::string_view, 1> named_options{"--eds-name"};
@@ -41,7 +43,7 @@ std::span<const Emitter> all_emitters() {
         Emitter{"entry-sheet", "what to type into DcDesk 2000, device by device", entry_sheet_formats(),
                 emit_entry_sheet},
         Emitter{"image", "configuration image for the gateway runtime: binary, Intel HEX, S-record",
-                image_formats, emit_image},
+                image_formats, emit_image, image_options},
         Emitter{"image-source", "the configuration image as C++ source, C header or assembler source",
                 image_source_formats, emit_image_source, image_source_options},
     };

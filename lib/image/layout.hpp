@@ -112,7 +112,7 @@ inline constexpr std::size_t size = 40;
 inline constexpr std::size_t count = 20;
 }  // namespace pdo
 
-// objects: the records of object/object_table.hpp (12 bytes), sorted by index and sub-index.
+// objects: the records of object/object_table.hpp (8 bytes), sorted by index and sub-index.
 // object_values: the value block at start; first all 4-byte values, then all 2-byte, then all 1-byte
 // values, each in the order of the object table, so that every value is aligned to its own size.
 
@@ -135,9 +135,9 @@ namespace signal {
 inline constexpr std::size_t number = 0;            // u16: measurement, or 9nn
 inline constexpr std::size_t width = 2;             // u8: 8 or 16
 inline constexpr std::size_t is_signed = 3;         // u8
-inline constexpr std::size_t internal_minimum = 4;  // i32
-inline constexpr std::size_t internal_maximum = 8;  // i32
-inline constexpr std::size_t size = 12;
+inline constexpr std::size_t internal_minimum = 4;  // u16, or i16 when is_signed
+inline constexpr std::size_t internal_maximum = 6;  // likewise
+inline constexpr std::size_t size = 8;
 }  // namespace signal
 
 namespace label {  // names for displays, ascending number; number 0 is the file's title

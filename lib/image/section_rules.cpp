@@ -83,11 +83,7 @@ constexpr FieldRule fields[] = {
 
     {SectionId::objects, 0, 2, 0x1000, 0xFFFF},  // index
     {SectionId::objects, 2, 1, 0, 254},          // sub-index
-    {SectionId::objects, 3, 1, 0x01, 0x07},      // data type
-    {SectionId::objects, 4, 1, 0, 5},            // access
-    {SectionId::objects, 5, 1, 0, object::flag_pdo_mappable | object::flag_sdo_read_only},
-    {SectionId::objects, 9, 1, 0, 0},   // handler: none is defined yet
-    {SectionId::objects, 10, 2, 0, 0},  // reserved
+    {SectionId::objects, 5, 1, 0, 0},            // handler: none is defined yet
 
     {SectionId::switches, switch_function::number, 2, 811, 849},
     {SectionId::switches, switch_function::bit, 1, 1, 16},
