@@ -35,11 +35,11 @@ std::string output_of(const Arguments& arguments) {
         throw UsageError(in_place ? "--in-place and -o: one of them says where to write"
                                   : "-o PATH says where to write, --in-place changes the file itself");
     }
-    const std::string firmware = arguments.value("--into");
+    std::string firmware = arguments.value("--into");
     if (in_place) {
         return firmware;
     }
-    const std::string output = arguments.value("--output");
+    std::string output = arguments.value("--output");
     if (base::same_file(output, firmware)) {
         throw UsageError(fmt::format("-o {}: this is the file itself; --in-place changes it", output));
     }
