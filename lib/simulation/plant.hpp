@@ -43,6 +43,7 @@ class Plant {
     // A cause of an error that the plant's surroundings bring about: there, or gone (simulation/faults.hpp).
     // One that is there is there after a reset as well.
     void report(device::Fault fault, bool present);
+    void report(EngineFault fault, bool present) { governor_.report(fault, present); }
 
     // "Clear errors" at the gateway, which tells the governor.
     void clear_gateway_errors() { gateway_.link.clear_errors(now()); }

@@ -256,12 +256,13 @@ Disturbance jam(BusName bus, std::string name, std::set<unsigned> errors) {
 
 Disturbance fault(const NamedFault& named) {
     std::set<unsigned> errors{12411};
-    if (const unsigned error = device::row_of(named.fault).canopen_error; error != 0) {
+    if (const unsigned error = device::row_of(std::get<device::Fault>(named.cause)).canopen_error;
+        error != 0) {
         errors.insert(error);
     }
     return {std::string(named.name), std::move(errors),
-            [&named](World& world) { world.plant().report(named.fault, true); },
-            [&named](World& world) { world.plant().report(named.fault, false); }};
+            [&named](World& world) { world.plant().report(std::get<device::Fault>(named.cause), true); },
+            [&named](World& world) { world.plant().report(std::get<device::Fault>(named.cause), false); }};
 }
 
 Disturbance silent_rpdos() {
@@ -326,7 +327,8 @@ std::vector<Disturbance> disturbances() {
          [](World& world) { world.plant().clear_gateway_errors(); }},
     };
     for (const NamedFault& named : named_faults()) {
-        all.push_back(fault(named));
+        if (std::holds_alternative<device::Fault>(named.cause))
+            all.push_back(fault(named));
     }
     return all;
 }
