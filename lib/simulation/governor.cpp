@@ -65,6 +65,9 @@ Time SimulatedGovernor::poll(Time now) {
 
 void SimulatedGovernor::process_data(std::uint8_t rpdo, const device::PdoWords& words) {
     inputs_.receive(rpdo, words);
+    if (received_) {
+        received_(rpdo, words);
+    }
 }
 
 void SimulatedGovernor::run_engine() {

@@ -52,6 +52,10 @@ class SimulatedGovernor final : public link::GovernorListener, public Participan
     using Amend = std::function<void(device::GovernorData&)>;
     void amend_data(Amend amend) { amend_ = std::move(amend); }
 
+    // Called with the words of each receive PDO that arrives.
+    using Received = std::function<void(std::uint8_t rpdo, const device::PdoWords& words)>;
+    void observe_process_data(Received received) { received_ = std::move(received); }
+
     // The governor's share of 2000h:1..6, as last sent.
     const std::array<std::uint16_t, device::error_words>& errors() const { return errors_; }
 
@@ -72,6 +76,7 @@ class SimulatedGovernor final : public link::GovernorListener, public Participan
     std::uint64_t main_cycles_ = 0;
     std::uint8_t boot_ = 1;
     Amend amend_;
+    Received received_;
     bool can_bus_error_ = false;
     bool can_comm_error_ = false;
     std::array<std::uint16_t, device::error_words> errors_{};

@@ -36,6 +36,9 @@ class Plant {
     const link::GatewayEnd& gateway_link() const { return gateway_.link; }
     SimulatedGovernor& governor() { return governor_; }
 
+    // What the gateway offers to its port of CAN2.
+    void watch_gateway(const Bus::PortWatch& watch) { can2_.watch_port(gateway_, watch); }
+
     // As if its supply had been interrupted.
     void reset_gateway();
     void reset_governor();
