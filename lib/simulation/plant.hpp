@@ -36,6 +36,9 @@ class Plant {
     const link::GatewayEnd& gateway_link() const { return gateway_.link; }
     SimulatedGovernor& governor() { return governor_; }
 
+    // What the gateway offers to its port of CAN2.
+    void watch_gateway(const Bus::PortWatch& watch) { can2_.watch_port(gateway_, watch); }
+
     // As if its supply had been interrupted.
     void reset_gateway();
     void reset_governor();
@@ -43,6 +46,7 @@ class Plant {
     // A cause of an error that the plant's surroundings bring about: there, or gone (simulation/faults.hpp).
     // One that is there is there after a reset as well.
     void report(device::Fault fault, bool present);
+    void report(EngineFault fault, bool present) { governor_.report(fault, present); }
 
     // "Clear errors" at the gateway, which tells the governor.
     void clear_gateway_errors() { gateway_.link.clear_errors(now()); }
