@@ -83,6 +83,7 @@ constexpr FieldRule fields[] = {
 
     {SectionId::objects, 0, 2, 0x1000, 0xFFFF},  // index
     {SectionId::objects, 2, 1, 0, 254},          // sub-index
+    {SectionId::objects, 3, 1, 0x01, 0x07},      // data type
     {SectionId::objects, 5, 1, 0, 0},            // handler: none is defined yet
 
     {SectionId::switches, switch_function::number, 2, 811, 849},

@@ -13,8 +13,7 @@ bool records_fit(const object::ObjectTable& table) {
     for (std::size_t i = 0; i < table.size(); ++i) {
         const object::ObjectEntry entry = table.entry(i);
         const std::uint32_t key = (static_cast<std::uint32_t>(entry.index) << 8) | entry.sub_index;
-        if (key <= last_key || entry.length == 0 || entry.access > object::Access::constant ||
-            entry.flags > known_flags) {
+        if (key <= last_key || entry.access > object::Access::constant || entry.flags > known_flags) {
             return false;
         }
         last_key = key;

@@ -24,7 +24,7 @@ struct ObjectEntry {
     Access access = Access::ro;
     std::uint8_t flags = 0;
     std::uint16_t offset = 0;  // of the value in the value block, bytes
-    std::uint8_t length = 0;   // of the value, bytes: 1, 2 or 4, as the type has it; 0 for an unknown type
+    std::uint8_t length = 0;   // of the value, bytes: 1, 2 or 4, as the type has it
     std::uint8_t handler = 0;  // 0: plain memory; others belong to the device
 
     friend bool operator==(const ObjectEntry&, const ObjectEntry&) = default;
@@ -45,7 +45,7 @@ inline ObjectEntry decode_object_record(const std::uint8_t* record) {
     entry.flags = static_cast<std::uint8_t>(record[4] >> 4);
     entry.handler = record[5];
     entry.offset = wire::load_u16(record + 6);
-    entry.length = size_of(entry.type);
+    entry.length = type_sizes[record[3] % sizeof type_sizes];  // a verified table has no other types
     return entry;
 }
 

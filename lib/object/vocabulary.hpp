@@ -1,6 +1,7 @@
 // The vocabulary of CiA 301: data types, object codes, access, SDO abort codes.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 
 namespace cgw::object {
@@ -16,11 +17,12 @@ enum class DataType : std::uint8_t {
     unsigned32 = 0x07,
 };
 
+inline constexpr std::uint8_t type_sizes[8] = {0, 1, 1, 2, 4, 1, 2, 4};  // bytes on the wire, by number
+
 // Bytes on the wire; 0 for a type this core does not carry.
 constexpr std::uint8_t size_of(DataType type) {
-    constexpr std::uint32_t sizes = 0x42142110;  // four bits for each type
-    const auto number = static_cast<unsigned>(type);
-    return number <= 0x07 ? static_cast<std::uint8_t>(sizes >> (4U * number) & 0x0FU) : std::uint8_t{0};
+    const auto number = static_cast<std::size_t>(type);
+    return number < sizeof type_sizes ? type_sizes[number] : std::uint8_t{0};
 }
 
 constexpr bool is_signed(DataType type) {
