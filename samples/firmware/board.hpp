@@ -45,6 +45,11 @@ Time now();
 
 void feed_watchdog();
 
+// Sleeps until an interrupt comes, at the latest until that time and no longer than the watchdog and now()
+// allow. Returns at once when a frame has come since the last look into the queues. Not sleeping at all is
+// right, too.
+void rest_until(Time deadline);
+
 // What outlives a reset and the loss of power, in memory of the board's own.
 struct Kept {
     std::uint8_t boot = 0;  // resets, counted

@@ -109,6 +109,9 @@ bool Can::take_overflow() {
 
 void feed_watchdog() {}
 
+// Nothing interrupts this board.
+void rest_until(Time) {}
+
 Kept load() {
     Kept kept;
     const std::uint32_t file = semihosting::open("kept", semihosting::read_binary);

@@ -1,4 +1,6 @@
 // A gateway firmware: everything but the board. Copy it; docs/firmware.md explains it.
+#include <algorithm>
+
 #include "board.hpp"
 #include "device/gateway.hpp"
 #include "image/area.hpp"
@@ -105,10 +107,12 @@ void loop() {
     }
     report(board::can1, device::Fault::can1_bus, device::Fault::can1_overflow);
     report(board::can2, device::Fault::can2_bus, device::Fault::can2_receive_overflow);
-    governor.poll(board::now());
-    gateway.poll(board::now());
+    const board::Time next = std::min(governor.poll(board::now()), gateway.poll(board::now()));
     keep_errors();
     board::feed_watchdog();
+    if (!governor.pending() && !gateway.pending()) {
+        board::rest_until(next);
+    }
 }
 
 }  // namespace
