@@ -156,7 +156,10 @@ std::string page() {
         "cannot be taken, such as an NMT command on a bus that is cut, counts as failed.\n\n"
         "`drop` is seen by the gateway's driver: 3070 for CAN1, 3072 for CAN2. While a bus is cut nobody "
         "can\n"
-        "send on it, and the frame on the wire is lost.\n\n"
+        "send on it, and the frame on the wire is lost. The fault `can1-bus` or `can2-bus` is another "
+        "matter: it "
+        "ends with\n"
+        "`mend` only, and `mend` repairs no cable.\n\n"
         "Faults, until `mend`:\n\n| fault | meaning |\n| --- | --- |\n" +
         word_list("fault");
     text += "What they do to the gateway is in [errors.md](errors.md).\n\n";

@@ -1,5 +1,5 @@
 // What the governor makes of the engine's measured values: alarms, and the emergency stop. The manuals print
-// no error numbers for them, so they show in the engine state only (D22).
+// no error numbers for them, so they show in the engine state only (D48).
 #pragma once
 
 #include <array>

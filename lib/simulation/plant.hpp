@@ -51,7 +51,8 @@ class Plant {
     // "Clear errors" at the gateway, which tells the governor.
     void clear_gateway_errors() { gateway_.link.clear_errors(now()); }
 
-    // Cuts a bus, or mends it. Its controller at the gateway says so: 3070 or 3072.
+    // Cuts a bus, or mends it. Its controller at the gateway says so: 3070 or 3072. That fault is there as
+    // long as the bus is cut or the fault is reported by name: mending the one does not mend the other.
     enum class BusName : std::uint8_t { can1, can2 };
     Bus& bus(BusName name) { return name == BusName::can1 ? can1_ : can2_; }
     void connect(BusName name, bool connected);
@@ -77,6 +78,9 @@ class Plant {
         link::GatewayEnd link;
         device::Gateway gateway;
     };
+
+    bool present(device::Fault fault) const;
+    void pass_on(device::Fault fault);
 
     const image::Image* gateway_image_;
     Bus can1_;

@@ -97,6 +97,34 @@ TEST_F(InstallationTest, keeps_causes_over_a_reset_of_the_gateway) {
     EXPECT_FALSE(installation.plant().gateway().errors().shown(device::Fault::can2_bus));
 }
 
+TEST_F(InstallationTest, mending_a_bus_and_mending_its_fault_are_two_things) {
+    struct Case {
+        Plant::BusName bus;
+        device::Fault fault;
+    };
+    for (const Case& one : {Case{Plant::BusName::can1, device::Fault::can1_bus},
+                            Case{Plant::BusName::can2, device::Fault::can2_bus}}) {
+        Installation installation(image_);
+        Plant& plant = installation.plant();
+        const auto present = [&] { return plant.gateway().errors().present(one.fault); };
+        plant.run_until(2 * second);
+        plant.report(one.fault, true);
+        plant.connect(one.bus, false);
+        plant.connect(one.bus, true);
+        EXPECT_TRUE(present()) << "reported by name";
+        plant.report(one.fault, false);
+        EXPECT_FALSE(present());
+        plant.connect(one.bus, false);
+        plant.report(one.fault, true);
+        plant.report(one.fault, false);
+        EXPECT_TRUE(present()) << "still cut";
+        plant.reset_gateway();
+        EXPECT_TRUE(present()) << "after a reset";
+        plant.connect(one.bus, true);
+        EXPECT_FALSE(present());
+    }
+}
+
 TEST_F(InstallationTest, shows_the_errors_of_both_devices) {
     Installation installation(image_);
     installation.plant().run_until(2 * second);

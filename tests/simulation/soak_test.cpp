@@ -36,8 +36,30 @@ std::string disturb(World& world, const std::vector<Disturbance>& all) {
     return what;
 }
 
+// What the rules have seen.
+struct Tally {
+    std::uint64_t sent = 0;
+    std::uint64_t obeyed = 0;
+    std::uint64_t refused = 0;
+    std::uint64_t boot_ups = 0;
+    std::uint64_t alarms = 0;
+
+    void add(const Rules& rules) {
+        sent += rules.pdos();
+        obeyed += rules.forwarded();
+        refused += rules.refused();
+        boot_ups += rules.boot_ups();
+        alarms += rules.alarms();
+    }
+    bool complete() const { return sent != 0 && obeyed != 0 && refused != 0 && boot_ups != 0 && alarms != 0; }
+    std::string text() const {
+        return fmt::format("{} transmit PDOs, {} receive PDOs, {} refusals, {} boot-ups, {} alarms", sent,
+                           obeyed, refused, boot_ups, alarms);
+    }
+};
+
 Time soak_time() {
-    constexpr Time usual = 200 * second;
+    constexpr Time usual = 600 * second;
     const char* hours = std::getenv("CGW_SOAK_HOURS");
     return hours == nullptr ? usual : static_cast<Time>(std::atof(hours) * 3600) * second;
 }
@@ -46,8 +68,7 @@ TEST(Soak, of_random_disturbances_breaks_no_rule) {
     const std::vector<Disturbance> all = disturbances();
     Time simulated = 0;
     std::uint64_t frames = 0;
-    std::uint64_t sent = 0;
-    std::uint64_t obeyed = 0;
+    Tally tally;
     unsigned rounds = 0;
     const char* first = std::getenv("CGW_SOAK_SEED");
     for (unsigned seed = first == nullptr ? 1U : static_cast<unsigned>(std::atoi(first));
@@ -65,11 +86,12 @@ TEST(Soak, of_random_disturbances_breaks_no_rule) {
         }
         simulated += world.plant().now();
         frames += world.plant().can1().frames() + world.plant().can2().frames();
-        sent += world.rules().pdos();
-        obeyed += world.rules().forwarded();
+        tally.add(world.rules());
     }
-    std::cout << fmt::format("{} s simulated, {} rounds, {} frames, {} transmit PDOs, {} receive PDOs\n",
-                             simulated / second, rounds, frames, sent, obeyed);
+    std::cout << fmt::format("{} s simulated, {} rounds, {} frames, {}\n", simulated / second, rounds, frames,
+                             tally.text());
+    // Otherwise the rules had nothing to look at.
+    EXPECT_TRUE(tally.complete()) << tally.text();
 }
 
 }  // namespace

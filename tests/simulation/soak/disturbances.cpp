@@ -168,8 +168,7 @@ std::vector<Disturbance> disturbances() {
          [](World& world) { world.plant().clear_gateway_errors(); }},
     };
     for (const NamedFault& named : named_faults()) {
-        if (std::holds_alternative<device::Fault>(named.cause))
-            all.push_back(fault(named));
+        all.push_back(fault(named));
     }
     return all;
 }

@@ -26,8 +26,9 @@ struct Look {
     GatewayState state = GatewayState::undefined;
     std::uint8_t operational_entries = 0;
     std::uint32_t pdos_received = 0;
-    std::uint16_t canopen_errors = 0;  // 2005h
-    bool alarms = false;               // of the engine
+    std::uint16_t canopen_errors = 0;       // 2005h
+    std::array<std::uint16_t, 7> binary{};  // 2000h:1..7, of TPDO1..3
+    bool alarms = false;                    // of the engine
     bool hides_states = false;  // events of both buses at this microsecond: a state may have passed unseen
 };
 
@@ -88,9 +89,15 @@ class Rules {
     const std::vector<std::string>& broken() const { return broken_; }
     std::uint64_t pdos() const { return carried_; }
     std::uint64_t forwarded() const { return forwarded_; }
+    std::uint64_t refused() const { return refused_; }
+    std::uint64_t boot_ups() const { return boot_ups_; }
+    std::uint64_t alarms() const { return alarms_; }
 
     // How long what waits may go on waiting once the port takes frames again, and a boot-up after Init.
     static constexpr Time patience = 50'000;  // us
+    // How long 2000h may differ from what TPDO1..3 said last. Without main cycles of its governor a gateway
+    // sends nothing, and notices it after half a second.
+    static constexpr Time binary_patience = 1'000'000;  // us
 
   private:
     using Words = device::PdoWords;
@@ -102,6 +109,7 @@ class Rules {
     void judge_words(std::size_t position, const frame::Frame& frame, Time now);
     void judge_error_words(const frame::Frame& frame, Time now);
     void judge_waiting(Time now);
+    void judge_binary(Time now);
     std::uint32_t sdo_answer() const;
     std::optional<std::size_t> tpdo_of(const frame::Frame& frame) const;
 
@@ -115,6 +123,10 @@ class Rules {
     std::uint16_t cycle_ = 0;
     std::optional<std::uint16_t> last_cycle_;  // that the gateway sent words of
 
+    std::array<std::optional<frame::Frame>, facts::binary_tpdos> binary_;  // as the port took them last
+    Time quiet_since_ = 0;  // nothing of 2000h has changed, and nothing was refused
+    bool quiet_judged_ = false;
+
     std::map<std::uint32_t, Time> waiting_;  // refused by the port, by identifier
     Time last_refusal_ = 0;
     std::optional<Time> boot_up_due_;  // since
@@ -123,6 +135,9 @@ class Rules {
     std::uint64_t carried_ = 0;
     std::uint64_t cuts_ = 0;
     std::uint64_t forwarded_ = 0;
+    std::uint64_t refused_ = 0;
+    std::uint64_t boot_ups_ = 0;
+    std::uint64_t alarms_ = 0;
 
     // Receive PDOs on CAN2, by RPDO; the governor gets some of them, in their order.
     static constexpr std::size_t remembered = 4096;

@@ -23,7 +23,11 @@ class SoakRules : public testing::Test {
         begin(GatewayState::pre_operational);
         offer(boot_up());
         look();
+        look_.binary[6] = 4;  // as tpdo() says
         state(GatewayState::operational);
+        for (std::size_t number = 1; number <= facts::binary_tpdos; ++number) {
+            offer(tpdo(number, {}));
+        }
     }
 
     void TearDown() override {
@@ -87,6 +91,7 @@ class SoakRules : public testing::Test {
         now_ += cycle;
         device::GovernorData data;
         rules_.mark(data, flicker);
+        std::copy(data.errors.begin(), data.errors.end(), look_.binary.begin());
         look();
         return data;
     }
@@ -134,7 +139,7 @@ TEST_F(SoakRules, accept_a_sound_log) {
     }
     rules_.settle(sound());
     rules_.expect_all_carried(now_);
-    EXPECT_EQ(rules_.pdos(), 600U);
+    EXPECT_EQ(rules_.pdos(), 603U);
     EXPECT_EQ(rules_.forwarded(), 100U);
 }
 
@@ -188,6 +193,15 @@ TEST_F(SoakRules, see_words_older_than_those_before) {
     offer(tpdo(4, deliver()));
     offer(tpdo(5, before));
     expect_broken("word-old");
+}
+
+TEST_F(SoakRules, see_a_change_that_is_never_sent) {
+    pass(2 * Rules::binary_patience);
+    EXPECT_TRUE(rules_.broken().empty());
+    look_.binary[5] = 1;
+    look();
+    pass(2 * Rules::binary_patience);
+    expect_broken("tpdo-stale");
 }
 
 TEST_F(SoakRules, see_a_pdo_of_the_wrong_length) {

@@ -3,6 +3,7 @@
 #include "base/files.hpp"
 #include "driver/check_file.hpp"
 #include "driver/scenario_file.hpp"
+#include "object/object_table.hpp"
 #include "wire/little_endian.hpp"
 
 namespace cgw::simulation::soak {
@@ -33,6 +34,12 @@ const image::Image& fast_genset() {
 
 Inspector::Inspector(Installation& installation)
     : installation_(&installation), rules_(installation.image()) {
+    const object::ObjectTable objects = installation.image().objects();
+    for (std::size_t word = 0; word < binary_.size(); ++word) {
+        const auto found = objects.find(facts::object::errors, static_cast<std::uint8_t>(word + 1));
+        EXPECT_EQ(found.found, object::Found::yes);
+        binary_[word] = found.entry;
+    }
     Plant& plant = installation.plant();
     plant.can1().observe([this](const frame::Frame&, Time now) { last_can1_ = now; });
     plant.can2().observe([this](const frame::Frame& frame, Time now) {
@@ -61,6 +68,9 @@ Time Inspector::poll(Time now) {
     look.operational_entries = gateway.status().operational_entries;
     look.pdos_received = gateway.slave().receiver().counters().received;
     look.canopen_errors = gateway.errors().canopen_errors();
+    for (std::size_t word = 0; word < look.binary.size(); ++word) {
+        look.binary[word] = static_cast<std::uint16_t>(object::load_value(gateway.values(), binary_[word]));
+    }
     look.alarms = installation_->plant().governor().alarms().any();
     look.hides_states = hides_states(now);
     rules_.look(look);

@@ -40,6 +40,7 @@ class Inspector final : public Participant {
 
     Installation* installation_;
     Rules rules_;
+    std::array<object::ObjectEntry, 7> binary_;  // 2000h:1..7
     bool errors_flicker_ = false;
     std::uint16_t engine_state_ = 0;
     Time last_can1_ = canopen::never;
