@@ -252,7 +252,7 @@ TEST(ImageInC, reads_what_a_later_minor_lengthened) {
             lengthen(part, 4);
         }
     }
-    parts.push_back({13, 6, base::Bytes(18, 0xEE)});
+    parts.push_back({image::section_ids, 6, base::Bytes(18, 0xEE)});
     const base::Bytes later = join(good, parts, 1, 80);
     Numbers values;
     ASSERT_EQ(c_status(later, &values), Status::ok);

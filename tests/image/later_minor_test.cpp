@@ -25,7 +25,7 @@ TEST(LaterMinor, may_add_sections_lengthen_records_and_the_header) {
             lengthen(part, 4);
         }
     }
-    parts.push_back({13, 6, base::Bytes(18, 0xEE)});
+    parts.push_back({image::section_ids, 6, base::Bytes(18, 0xEE)});
     parts.push_back({900, 1, {}});
     const base::Bytes bytes = join(old, parts, 1, 80);
     image::Image image;
@@ -72,7 +72,7 @@ TEST(LaterMinor, is_still_held_to_everything_this_minor_defines) {
 TEST(LaterMinor, is_what_additions_need) {
     const base::Bytes old = SamplePlant().image();
     std::vector<Part> added = parts_of(old);
-    added.push_back({13, 1, base::Bytes(4)});
+    added.push_back({image::section_ids, 1, base::Bytes(4)});
     EXPECT_EQ(open(join(old, added, 0, header::size)), Status::bad_directory);
     std::vector<Part> longer = parts_of(old);
     lengthen(longer[7], 4);
