@@ -1,5 +1,6 @@
 # The installed package: programs, man pages, completion, schemas, samples, and for find_package(cgw)
-# cgw_embed_config, the program cgw::cgw and the freestanding rooms as sources, cgw::image and so on.
+# cgw_embed_config, the program cgw::cgw and the freestanding rooms as sources, cgw::image and so on. The C reader
+# of images is a header.
 include(CMakePackageConfigHelpers)
 
 set(package "${CMAKE_INSTALL_LIBDIR}/cmake/cgw")
@@ -24,6 +25,7 @@ foreach(room IN LISTS CGW_INSTALLED_ROOMS)
           FILES_MATCHING PATTERN "*.hpp" PATTERN "*.cpp" PATTERN "CMakeLists.txt")
 endforeach()
 install(DIRECTORY "${PROJECT_SOURCE_DIR}/schemas" "${PROJECT_SOURCE_DIR}/samples" DESTINATION "${data}")
+install(FILES "${PROJECT_SOURCE_DIR}/lib/image/c/cgw_image.h" DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/cgw")
 install(DIRECTORY "${PROJECT_SOURCE_DIR}/docs/" DESTINATION "${CMAKE_INSTALL_DOCDIR}")
 install(FILES "${PROJECT_SOURCE_DIR}/README.md" "${PROJECT_SOURCE_DIR}/CHANGELOG.md"
         DESTINATION "${CMAKE_INSTALL_DOCDIR}")

@@ -1,7 +1,7 @@
 // What a later minor version may add, and that this reader takes it.
 #include <gtest/gtest.h>
 
-#include "support/image_bytes.hpp"
+#include "support/later_image.hpp"
 #include "support/sample_plant.hpp"
 
 namespace cgw::test {
@@ -9,66 +9,7 @@ namespace {
 
 using image::SectionId;
 using image::Status;
-namespace directory = image::directory;
 namespace header = image::header;
-
-struct Part {
-    std::uint16_t id = 0;
-    std::size_t record_size = 1;
-    base::Bytes bytes;
-};
-
-std::vector<Part> parts_of(const base::Bytes& image) {
-    std::vector<Part> parts;
-    for (std::uint16_t id = 1; id <= 12; ++id) {
-        const auto section = static_cast<SectionId>(id);
-        const auto from = image.begin() + static_cast<std::ptrdiff_t>(offset_of(image, section));
-        parts.push_back({id, wire::load_u16(&image[entry_of(section) + directory::record_size]),
-                         base::Bytes(from, from + static_cast<std::ptrdiff_t>(size_of(image, section)))});
-    }
-    return parts;
-}
-
-// Every record `more` bytes longer, filled with FFh.
-void lengthen(Part& part, std::size_t more) {
-    base::Bytes longer;
-    for (std::size_t at = 0; at < part.bytes.size(); at += part.record_size) {
-        const auto from = part.bytes.begin() + static_cast<std::ptrdiff_t>(at);
-        longer.insert(longer.end(), from, from + static_cast<std::ptrdiff_t>(part.record_size));
-        longer.insert(longer.end(), more, 0xFF);
-    }
-    part.bytes = longer;
-    part.record_size += more;
-}
-
-base::Bytes join(const base::Bytes& old, const std::vector<Part>& parts, std::uint16_t minor,
-                 std::size_t header_size) {
-    base::Bytes bytes(old.begin(), old.begin() + header::size);
-    bytes.resize(header_size, 0xFF);
-    bytes.resize(header_size + parts.size() * directory::entry_size);
-    std::size_t entry = header_size;
-    for (const Part& part : parts) {
-        bytes.resize((bytes.size() + 3) / 4 * 4);
-        wire::store_u16(&bytes[entry + directory::id], part.id);
-        wire::store_u16(&bytes[entry + directory::record_size], static_cast<std::uint16_t>(part.record_size));
-        wire::store_u32(&bytes[entry + directory::offset], static_cast<std::uint32_t>(bytes.size()));
-        wire::store_u32(&bytes[entry + directory::size], static_cast<std::uint32_t>(part.bytes.size()));
-        entry += directory::entry_size;
-        bytes.insert(bytes.end(), part.bytes.begin(), part.bytes.end());
-    }
-    bytes.resize((bytes.size() + 3) / 4 * 4 + image::crc_size);
-    wire::store_u16(&bytes[header::format_minor], minor);
-    wire::store_u16(&bytes[header::header_size], static_cast<std::uint16_t>(header_size));
-    wire::store_u16(&bytes[header::section_count], static_cast<std::uint16_t>(parts.size()));
-    wire::store_u32(&bytes[header::total_size], static_cast<std::uint32_t>(bytes.size()));
-    sign(bytes);
-    return bytes;
-}
-
-bool is_records(const Part& part) {
-    return part.id != static_cast<std::uint16_t>(SectionId::object_values) &&
-           part.id != static_cast<std::uint16_t>(SectionId::strings);
-}
 
 TEST(LaterMinor, joins_back_to_the_same_image) {
     const base::Bytes old = SamplePlant().image();
@@ -84,7 +25,7 @@ TEST(LaterMinor, may_add_sections_lengthen_records_and_the_header) {
             lengthen(part, 4);
         }
     }
-    parts.push_back({13, 6, base::Bytes(18, 0xEE)});
+    parts.push_back({image::section_ids, 6, base::Bytes(18, 0xEE)});
     parts.push_back({900, 1, {}});
     const base::Bytes bytes = join(old, parts, 1, 80);
     image::Image image;
@@ -131,7 +72,7 @@ TEST(LaterMinor, is_still_held_to_everything_this_minor_defines) {
 TEST(LaterMinor, is_what_additions_need) {
     const base::Bytes old = SamplePlant().image();
     std::vector<Part> added = parts_of(old);
-    added.push_back({13, 1, base::Bytes(4)});
+    added.push_back({image::section_ids, 1, base::Bytes(4)});
     EXPECT_EQ(open(join(old, added, 0, header::size)), Status::bad_directory);
     std::vector<Part> longer = parts_of(old);
     lengthen(longer[7], 4);

@@ -44,7 +44,8 @@ def installed_and_moved():
                  "share/fish/vendor_completions.d/cgw.fish", "share/man/man1/canopen-gateway.1",
                  "share/bash-completion/completions/canopen-gateway", "share/cgw/rooms/image/image.hpp",
                  "share/cgw/rooms/device/CMakeLists.txt", "share/cgw/schemas/check-report.schema.json",
-                 "share/cgw/samples/genset.toml", "share/doc/cgw/rulings.md", "share/doc/cgw/README.md"):
+                 "share/cgw/samples/genset.toml", "share/cgw/samples/firmware/main.cpp", "include/cgw/cgw_image.h",
+                 "share/doc/cgw/rulings.md", "share/doc/cgw/README.md"):
         check(name in names, f"{name} is not installed")
     check(any(re.fullmatch(r"lib/.*cmake/cgw/cgwConfig\.cmake|lib/cmake/cgw/cgwConfig\.cmake", n) for n in names),
           "cgwConfig.cmake is not installed")

@@ -1,6 +1,7 @@
 // On the microcontroller: replays the calls in the file `exchange` and writes what the gateway does about
 // them to the file `answers`. Files are the host's, by ARM semihosting.
 #include "exchange.hpp"
+#include "semihosting.hpp"
 
 extern "C" {
 extern const unsigned char cgw_config_image[];
@@ -10,50 +11,6 @@ extern std::uint32_t stack_top[];
 
 namespace cgw::exchange {
 namespace {
-
-namespace semihosting {
-
-enum Operation : std::uint32_t {
-    open_file = 0x01,
-    write0 = 0x04,
-    write = 0x05,
-    read = 0x06,
-    exit_extended = 0x20
-};
-enum Mode : std::uint32_t { read_binary = 1, write_binary = 5 };
-constexpr std::uint32_t application_exit = 0x20026;
-
-std::uint32_t call(Operation operation, const void* arguments) {
-    register std::uint32_t number asm("r0") = operation;
-    register const void* block asm("r1") = arguments;
-    asm volatile("bkpt 0xAB" : "+r"(number) : "r"(block) : "memory");
-    return number;
-}
-
-[[noreturn]] void exit(std::uint32_t code) {
-    const std::uint32_t arguments[] = {application_exit, code};
-    call(exit_extended, arguments);
-    while (true) {
-    }
-}
-
-[[noreturn]] void fail(const char* reason) {
-    call(write0, reason);
-    call(write0, "\n");
-    exit(1);
-}
-
-template <std::size_t length>
-std::uint32_t open(const char (&name)[length], Mode mode) {
-    const std::uint32_t arguments[] = {reinterpret_cast<std::uint32_t>(&name[0]), mode, length - 1};
-    const std::uint32_t handle = call(open_file, arguments);
-    if (handle == 0xFFFF'FFFF) {
-        fail("a file cannot be opened");
-    }
-    return handle;
-}
-
-}  // namespace semihosting
 
 constexpr std::size_t buffer_size = 4096;
 
@@ -68,8 +25,7 @@ class Output final : public Sink {
         }
     }
     void flush() {
-        const std::uint32_t arguments[] = {handle_, reinterpret_cast<std::uint32_t>(buffer_.data()), used_};
-        if (semihosting::call(semihosting::write, arguments) != 0) {
+        if (!semihosting::write(handle_, buffer_.data(), used_)) {
             semihosting::fail("answers cannot be written");
         }
         used_ = 0;
@@ -108,10 +64,7 @@ class Input {
   private:
     std::uint8_t u8() {
         if (used_ == filled_) {
-            const std::uint32_t arguments[] = {handle_, reinterpret_cast<std::uint32_t>(buffer_.data()),
-                                               buffer_size};
-            filled_ =
-                buffer_size - semihosting::call(semihosting::read, arguments);  // it returns what is missing
+            filled_ = semihosting::read(handle_, buffer_.data(), buffer_size);
             used_ = 0;
             if (filled_ == 0) {
                 semihosting::fail("the exchange has no end");

@@ -1,5 +1,5 @@
-// From reset to main(): what a C library would do, and no more. The four functions that compilers call by themselves
-// are as small as they can be; those of newlib take 600 bytes more.
+// From reset to main(): what a C library would do, and no more. The four functions that compilers call by
+// themselves are as small as they can be; those of newlib take 600 bytes more.
 #include <cstddef>
 #include <cstdint>
 

@@ -1,0 +1,292 @@
+// The plain-C reader against the C++ one: every value of good images, and its verdict about all kinds of bad
+// ones.
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <random>
+#include <string_view>
+
+#include "c_reader.h"
+#include "driver/check_file.hpp"
+#include "driver/plant.hpp"
+#include "emit/emitter.hpp"
+#include "support/later_image.hpp"
+#include "support/sample_plant.hpp"
+
+namespace cgw::test {
+namespace {
+
+using image::Status;
+using Numbers = std::vector<std::uint64_t>;
+
+base::Bytes image_of(const std::string& path, bool labels) {
+    const driver::CheckedFile file = driver::check_file(path);
+    EXPECT_TRUE(file.valid()) << path;
+    emit::Options options;
+    options.labels = labels;
+    return emit::find_emitter("image")->emit(driver::Plant::make(file).value().view(), options);
+}
+
+// One image after the other, with and without labels.
+const std::vector<base::Bytes>& good_images() {
+    static const std::vector<base::Bytes> images = [] {
+        std::vector<base::Bytes> made;
+        for (const std::string& path :
+             {std::string(CGW_SAMPLES "/genset.toml"), std::string(CGW_SAMPLES "/minimal.toml"),
+              std::string(CGW_SAMPLES "/manual-example.toml"), std::string(CGW_TEST_DATA "/full.toml")}) {
+            made.push_back(image_of(path, true));
+            made.push_back(image_of(path, false));
+        }
+        made.push_back(SamplePlant().image());
+        return made;
+    }();
+    return images;
+}
+
+void append(void* to, std::uint64_t value) {
+    static_cast<Numbers*>(to)->push_back(value);
+}
+
+// From a copy that ends where the image ends, so that AddressSanitizer sees what is read behind it.
+Status c_status(const base::Bytes& bytes, Numbers* values = nullptr) {
+    const base::Bytes exact(bytes.begin(), bytes.end());
+    Numbers unused;
+    return static_cast<Status>(
+        c_reader_dump(exact.data(), exact.size(), append, values == nullptr ? &unused : values));
+}
+
+class Values {
+  public:
+    void put(auto... values) { (numbers.push_back(static_cast<std::uint64_t>(values)), ...); }
+    void bytes(const auto& range) {
+        for (const auto byte : range) {
+            numbers.push_back(static_cast<std::uint8_t>(byte));
+        }
+    }
+    void real(double value) { bytes(std::bit_cast<std::array<std::uint8_t, sizeof value>>(value)); }
+
+    Numbers numbers;
+};
+
+void put_bus(Values& values, const image::Bus& bus) {
+    values.put(bus.own_node, bus.peer_node, bus.manual_timing, bus.bit_rate_kbit);
+    values.bytes(bus.registers);
+    values.put(bus.start_up_delay_ms);
+}
+
+void put_devices(Values& values, const image::Image& image) {
+    values.put(image.format_major(), image.format_minor());
+    for (const std::uint16_t part : image.tool_version()) {
+        values.put(part);
+    }
+    values.bytes(image.configuration_id());
+    const image::Identity identity = image.identity();
+    values.put(image.crc(), identity.vendor, identity.product, identity.revision, identity.serial);
+    put_bus(values, image.can1());
+    put_bus(values, image.can2());
+    const image::Governor governor = image.governor();
+    values.put(governor.own_node, governor.gateway_node, governor.manual_timing, governor.send_errors,
+               governor.send_status, governor.bit_rate_kbit);
+    values.bytes(governor.registers);
+    values.put(governor.start_up_delay_ms, governor.main_cycle_us);
+    const image::Heartbeat heartbeat = image.heartbeat();
+    values.put(heartbeat.producer_us, heartbeat.consumer_us, heartbeat.consumer_node);
+}
+
+void put_pdos(Values& values, const image::Image& image) {
+    for (std::size_t i = 0; i < image::pdo::count; ++i) {
+        const image::Pdo pdo = image.pdo(i);
+        values.put(pdo.receive, pdo.number, pdo.active, pdo.cob_id_from_parameter, pdo.cob_id,
+                   pdo.transmission_type, pdo.effective_us, pdo.asked_ms, pdo.cycles, pdo.word_count);
+        for (const image::MappedObject& word : pdo.mapping) {
+            values.put(word.index, word.sub_index, word.bits, word.parameter);
+        }
+    }
+}
+
+void put_objects(Values& values, const image::Image& image) {
+    const object::ObjectTable objects = image.objects();
+    values.put(objects.size());
+    for (std::size_t i = 0; i < objects.size(); ++i) {
+        const object::ObjectEntry entry = objects.entry(i);
+        std::uint32_t value = 0;
+        for (std::size_t byte = 0; byte < entry.length; ++byte) {
+            value |= std::uint32_t{image.initial_values()[entry.offset + byte]} << (8 * byte);
+        }
+        values.put(entry.index, entry.sub_index, entry.type, entry.access, entry.flags, entry.length,
+                   entry.offset, value);
+    }
+}
+
+void put_inputs_and_signals(Values& values, const image::Image& image) {
+    values.put(image.switch_count());
+    for (std::size_t i = 0; i < image.switch_count(); ++i) {
+        const image::SwitchFunction function = image.switch_function(i);
+        values.put(function.number, function.bit, function.low_active);
+    }
+    values.put(image.sensor_count());
+    for (std::size_t i = 0; i < image.sensor_count(); ++i) {
+        values.put(image.sensor(i).number, image.sensor(i).channel);
+    }
+    values.put(image.signal_count());
+    for (std::size_t i = 0; i < image.signal_count(); ++i) {
+        const image::Signal signal = image.signal(i);
+        values.put(signal.number, signal.width, signal.is_signed, std::int64_t{signal.internal_minimum},
+                   std::int64_t{signal.internal_maximum});
+    }
+}
+
+void put_labels(Values& values, const image::Image& image) {
+    values.put(image.label_count());
+    for (std::size_t i = 0; i < image.label_count(); ++i) {
+        const image::Label label = image.label(i);
+        values.put(label.number, label.name.size());
+        values.bytes(label.name);
+        values.put(label.unit.size());
+        values.bytes(label.unit);
+        values.put(label.has_scaling);
+        values.real(label.external_minimum);
+        values.real(label.external_maximum);
+    }
+}
+
+Numbers values_of(const base::Bytes& bytes) {
+    image::Image image;
+    EXPECT_EQ(image::Image::open(bytes, image), Status::ok);
+    Values values;
+    put_devices(values, image);
+    put_pdos(values, image);
+    put_objects(values, image);
+    put_inputs_and_signals(values, image);
+    put_labels(values, image);
+    return values.numbers;
+}
+
+// Up to code 9 both say the same. Above it, C knows only values and texts that lie outside.
+void expect_agreement(const base::Bytes& bytes, const std::string& what) {
+    const Status cpp = open(bytes);
+    const Status c = c_status(bytes);
+    if (cpp <= Status::section_missing) {
+        ASSERT_EQ(c, cpp) << what;
+    } else {
+        ASSERT_TRUE(c == Status::ok || c == Status::bad_object_table || c == Status::bad_label)
+            << what << ": " << static_cast<int>(c) << ", C++ " << static_cast<int>(cpp);
+    }
+}
+
+TEST(ImageInC, reads_every_value_as_the_cpp_reader_does) {
+    for (const base::Bytes& bytes : good_images()) {
+        Numbers values;
+        ASSERT_EQ(c_status(bytes, &values), Status::ok);
+        EXPECT_EQ(values, values_of(bytes));
+        EXPECT_GT(values.size(), 500U);
+    }
+}
+
+TEST(ImageInC, finds_objects_signals_and_labels_by_number) {
+    for (const base::Bytes& bytes : good_images()) {
+        EXPECT_EQ(c_reader_finds(bytes.data(), bytes.size()), 1);
+    }
+}
+
+TEST(ImageInC, refuses_an_image_that_was_cut_off_anywhere) {
+    for (const base::Bytes& bytes : {good_images().front(), SamplePlant().image(false)}) {
+        for (std::size_t size = 0; size < bytes.size(); ++size) {
+            const base::Bytes cut(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(size));
+            ASSERT_NE(c_status(cut), Status::ok) << size;
+            expect_agreement(cut, std::to_string(size));
+        }
+    }
+    expect_agreement(base::Bytes(image::maximum_size + 1), "too large");
+}
+
+TEST(ImageInC, refuses_every_flipped_bit) {
+    base::Bytes bytes = SamplePlant().image();
+    for (std::size_t at = 0; at < bytes.size(); ++at) {
+        const auto bit = static_cast<std::uint8_t>(1U << (at % 8));
+        bytes[at] ^= bit;
+        ASSERT_NE(c_status(bytes), Status::ok) << at;
+        expect_agreement(bytes, std::to_string(at));
+        bytes[at] ^= bit;
+    }
+}
+
+// With a right CRC the damage is seen by what comes after it.
+TEST(ImageInC, agrees_about_every_changed_byte_with_a_right_crc) {
+    const base::Bytes good = SamplePlant().image();
+    for (std::size_t at = 0; at < good.size() - image::crc_size; ++at) {
+        for (const unsigned change : {1U << (at % 8), 0xFFU}) {
+            expect_agreement(changed(good, at, 1, good[at] ^ change), std::to_string(at));
+        }
+    }
+}
+
+TEST(ImageInC, agrees_about_random_changes_with_a_right_crc) {
+    std::mt19937 random(20260301);  // the same each time
+    const base::Bytes good = SamplePlant().image();
+    for (unsigned round = 0; round < 3000; ++round) {
+        base::Bytes bytes = good;
+        // Mostly in header and directory; half of the images claim to be of a later minor.
+        for (unsigned i = random() % 4; i < 5; ++i) {
+            bytes[random() % (i == 4 ? bytes.size() - image::crc_size : 208U)] =
+                static_cast<std::uint8_t>(random());
+        }
+        wire::store_u32(&bytes[0], wire::load_u32(image::magic));
+        wire::store_u16(&bytes[image::header::format_major], image::format_major);
+        wire::store_u16(&bytes[image::header::format_minor], static_cast<std::uint16_t>(round % 2));
+        wire::store_u16(&bytes[image::header::header_size], image::header::size);
+        wire::store_u32(&bytes[image::header::total_size], static_cast<std::uint32_t>(bytes.size()));
+        if (round % 4 < 2) {
+            wire::store_u16(&bytes[image::header::section_count], 12);
+        }
+        sign(bytes);
+        expect_agreement(bytes, "round " + std::to_string(round));
+    }
+}
+
+TEST(ImageInC, reads_what_a_later_minor_lengthened) {
+    const base::Bytes good = SamplePlant().image();
+    std::vector<Part> parts = parts_of(good);
+    for (Part& part : parts) {
+        if (is_records(part)) {
+            lengthen(part, 4);
+        }
+    }
+    parts.push_back({image::section_ids, 6, base::Bytes(18, 0xEE)});
+    const base::Bytes later = join(good, parts, 1, 80);
+    Numbers values;
+    ASSERT_EQ(c_status(later, &values), Status::ok);
+    EXPECT_EQ(values, values_of(later));
+    EXPECT_EQ(c_reader_finds(later.data(), later.size()), 1);
+    EXPECT_EQ(c_status(join(good, parts, 0, image::header::size)), Status::bad_directory);
+    parts.erase(parts.begin() + 10);
+    EXPECT_EQ(c_status(join(good, parts, 1, 80)), Status::section_missing);  // strings without labels
+}
+
+TEST(ImageInC, agrees_about_bytes_that_are_no_image) {
+    std::mt19937 random(407);
+    for (unsigned round = 0; round < 2000; ++round) {
+        base::Bytes bytes(random() % 300);
+        for (std::uint8_t& byte : bytes) {
+            byte = static_cast<std::uint8_t>(random());
+        }
+        expect_agreement(bytes, "round " + std::to_string(round));
+    }
+}
+
+// What it claims above code 9: nothing that lies outside.
+TEST(ImageInC, refuses_values_and_texts_that_lie_outside) {
+    const base::Bytes good = SamplePlant().image();
+    const std::size_t object = offset_of(good, image::SectionId::objects);
+    EXPECT_EQ(c_status(changed(good, object + CGW_IMAGE_OBJECT_OFFSET, 2, 0xFFFF)), Status::bad_object_table);
+    EXPECT_EQ(c_status(changed(good, object + CGW_IMAGE_OBJECT_TYPE, 1, 8)), Status::bad_object_table);
+    const std::size_t label = offset_of(good, image::SectionId::labels);
+    for (const std::size_t offset : {image::label::name_offset, image::label::unit_offset}) {
+        EXPECT_EQ(c_status(changed(good, label + offset, 4, 0xFFFF'FFFF)), Status::bad_label);
+        EXPECT_EQ(c_status(changed(good, label + offset, 4, size_of(good, image::SectionId::strings) + 1)),
+                  Status::bad_label);
+    }
+}
+
+}  // namespace
+}  // namespace cgw::test
