@@ -17,6 +17,7 @@ extern const Verb diff_verb;
 extern const Verb clone_verb;
 extern const Verb image_verify_verb;
 extern const Verb image_inspect_verb;
+extern const Verb image_annotate_verb;
 extern const Verb verify_verb;
 extern const Verb hub_verb;
 extern const Verb simulate_verb;

@@ -32,6 +32,13 @@ enum class Status : std::uint8_t {
 
 std::string_view to_text(Status status);  // "the CRC-32 does not match", …
 
+// What Image::open() says, and where: for codes 9 to 13 the section that is missing or wrong, else none (0).
+struct Refusal {
+    Status status = Status::ok;
+    SectionId section{};
+};
+Refusal examine(std::span<const std::uint8_t> bytes);
+
 // The raw records of one section, for tools that show bytes; `at` needs position < count().
 struct Records {
     const std::uint8_t* data = nullptr;

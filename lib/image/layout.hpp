@@ -112,9 +112,21 @@ inline constexpr std::size_t size = 40;
 inline constexpr std::size_t count = 20;
 }  // namespace pdo
 
-// objects: the records of object/object_table.hpp (12 bytes), sorted by index and sub-index.
-// object_values: the value block at start; first all 4-byte values, then all 2-byte, then all 1-byte
-// values, each in the order of the object table, so that every value is aligned to its own size.
+// objects: the records of object/object_table.hpp, which reads and writes them, sorted by index and
+// sub-index. object_values: the value block at start; first all 4-byte values, then all 2-byte, then all
+// 1-byte values, each in the order of the object table, so that every value is aligned to its own size.
+namespace object_record {
+inline constexpr std::size_t index = 0;      // u16
+inline constexpr std::size_t sub_index = 2;  // u8
+inline constexpr std::size_t type = 3;       // u8
+inline constexpr std::size_t access = 4;     // u8
+inline constexpr std::size_t flags = 5;      // u8
+inline constexpr std::size_t offset = 6;     // u16, of the value in the value block
+inline constexpr std::size_t length = 8;     // u8
+inline constexpr std::size_t handler = 9;    // u8, 0
+inline constexpr std::size_t reserved = 10;  // u16, 0
+inline constexpr std::size_t size = 12;
+}  // namespace object_record
 
 namespace switch_function {                   // one record each, ascending number
 inline constexpr std::size_t number = 0;      // u16: 8nn

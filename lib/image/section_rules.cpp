@@ -81,13 +81,13 @@ constexpr FieldRule fields[] = {
     {SectionId::pdos, pdo::transmission_type, 1, facts::transmission_type, facts::transmission_type},
     {SectionId::pdos, pdo::cycles, 2, 0, 255},
 
-    {SectionId::objects, 0, 2, 0x1000, 0xFFFF},  // index
-    {SectionId::objects, 2, 1, 0, 254},          // sub-index
-    {SectionId::objects, 3, 1, 0x01, 0x07},      // data type
-    {SectionId::objects, 4, 1, 0, 5},            // access
-    {SectionId::objects, 5, 1, 0, object::flag_pdo_mappable | object::flag_sdo_read_only},
-    {SectionId::objects, 9, 1, 0, 0},   // handler: none is defined yet
-    {SectionId::objects, 10, 2, 0, 0},  // reserved
+    {SectionId::objects, object_record::index, 2, 0x1000, 0xFFFF},
+    {SectionId::objects, object_record::sub_index, 1, 0, 254},
+    {SectionId::objects, object_record::type, 1, 0x01, 0x07},
+    {SectionId::objects, object_record::access, 1, 0, 5},
+    {SectionId::objects, object_record::flags, 1, 0, object::flag_pdo_mappable | object::flag_sdo_read_only},
+    {SectionId::objects, object_record::handler, 1, 0, 0},  // none is defined yet
+    {SectionId::objects, object_record::reserved, 2, 0, 0},
 
     {SectionId::switches, switch_function::number, 2, 811, 849},
     {SectionId::switches, switch_function::bit, 1, 1, 16},
