@@ -34,6 +34,10 @@ int image_annotate(const Arguments& arguments) {
     if (!print(text)) {
         return exit_environment;
     }
+    if (annotation.status == image::Status::ok && !annotation.model_fits) {
+        print_error(path + ": the configuration id is not that of the model in the image");
+        return exit_findings;
+    }
     if (annotation.status == image::Status::ok) {
         return exit_fine;
     }

@@ -166,6 +166,10 @@ class Image {
     Label label(std::size_t position) const;
     bool find_label(std::uint16_t number, Label& label) const;
 
+    // The text whose SHA-256 is the configuration id (parameter/settings.hpp), for tools; "" where it is not
+    // there. Nothing in it is verified but that it lies inside the image.
+    std::string_view model() const;
+
     // Empty for an optional section that is not there.
     const Records& records(SectionId id) const { return sections_[static_cast<std::size_t>(id)]; }
 

@@ -55,8 +55,9 @@ enum class SectionId : std::uint16_t {
     signals = 10,
     labels = 11,   // optional
     strings = 12,  // optional, goes with labels
+    model = 13,    // optional, only where labels are: the text whose SHA-256 is the configuration id
 };
-inline constexpr std::size_t section_ids = 13;  // one more than the highest id
+inline constexpr std::size_t section_ids = 14;  // one more than the highest id
 
 namespace identity {  // one record: object 1018h
 inline constexpr std::size_t vendor = 0, product = 4, revision = 8, serial = 12, size = 16;  // u32 each

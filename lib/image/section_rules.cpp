@@ -21,6 +21,7 @@ constexpr SectionRule rules[] = {
     {SectionId::signals, signal::size, 0, true, true, false, Status::bad_section},
     {SectionId::labels, label::size, 0, false, true, false, Status::bad_label},
     {SectionId::strings, 1, 0, false, false, true, Status::bad_label},
+    {SectionId::model, 1, 0, false, false, true, Status::bad_section},
 };
 static_assert(std::size(rules) + 1 == section_ids);
 

@@ -158,7 +158,8 @@ Status Verifier::check_presence() {
     }
     const bool labels = image_.records(SectionId::labels).data != nullptr;
     const bool strings = image_.records(SectionId::strings).data != nullptr;
-    return labels == strings ? Status::ok : Status::section_missing;
+    const bool model = image_.records(SectionId::model).data != nullptr;
+    return labels == strings && (labels || !model) ? Status::ok : Status::section_missing;
 }
 
 Status Verifier::check_sections() {

@@ -142,6 +142,7 @@ Annotation annotate(std::span<const std::uint8_t> bytes) {
         Item rest = plain_bytes(image::header::size, bytes.size() - image::header::size, "not read", "");
         annotation.groups.push_back({"", {}, "what follows is not read", "", {std::move(rest)}});
     }
+    annotation.model_fits = !anything_wrong(annotation.groups, "model");
     image::Refusal refusal = image::examine(bytes);
     annotation.status = refusal.status;
     if (refusal.status == image::Status::bad_crc) {

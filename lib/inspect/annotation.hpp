@@ -39,6 +39,7 @@ struct Annotation {
     image::Status status = image::Status::ok;  // what the verifier says
     // What it would say if the CRC-32 were right, when that is what is wrong.
     image::Status status_beyond_crc = image::Status::ok;
+    bool model_fits = true;  // a gateway does not look whether the model has the configuration id; tools do
     std::vector<Group> groups;
 };
 

@@ -122,6 +122,15 @@ constexpr Record records[] = {
      false,
      "the labels' texts; there when the labels are",
      text},
+    {"model",
+     SectionId::model,
+     1,
+     {},
+     0,
+     "any",
+     false,
+     "the canonical model, a text; may be left out, also alone",
+     text},
     {.name = "trailer", .size = image::crc_size, .fields = trailer_fields, .count = 1},
 };
 constexpr std::size_t first_section = 2;

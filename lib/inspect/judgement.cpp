@@ -2,7 +2,10 @@
 // field. For the rest the verifier's word on the section has to do.
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "base/canopen_text.hpp"
+#include "base/sha256.hpp"
 #include "base/utf8.hpp"
 #include "facts/gateway.hpp"
 #include "inspect/walk.hpp"
@@ -150,6 +153,21 @@ void judge_labels(const Outline& outline, Groups& groups) {
     });
 }
 
+void judge_model(const Outline& outline, Groups& groups) {
+    const Extent* model = outline.find(SectionId::model);
+    if (model == nullptr || groups.empty()) {
+        return;
+    }
+    const auto digest = base::sha256(outline.bytes.subspan(model->offset, model->size));
+    const auto stated =
+        outline.bytes.subspan(image::header::configuration_id, image::header::configuration_id_size);
+    for (Group& group : groups) {
+        if (group.section == "model" && !std::equal(stated.begin(), stated.end(), digest.begin())) {
+            group.wrong = "its SHA-256 is not the configuration id";
+        }
+    }
+}
+
 }  // namespace
 
 void judge_sections(const Outline& outline, Groups& groups) {
@@ -160,6 +178,7 @@ void judge_sections(const Outline& outline, Groups& groups) {
     judge_objects(outline, groups);
     judge_pdos(outline, groups);
     judge_labels(outline, groups);
+    judge_model(outline, groups);
 }
 
 }  // namespace cgw::inspect

@@ -149,6 +149,23 @@ void add_strings(const Outline& outline, const Extent& extent, Group& group) {
     }
 }
 
+// One item for each line.
+void add_lines(const Outline& outline, const Extent& extent, Group& group) {
+    const auto text = outline.bytes.subspan(extent.offset, extent.size);
+    std::size_t from = 0;
+    while (from < text.size()) {
+        const auto end = std::find(text.begin() + static_cast<std::ptrdiff_t>(from), text.end(), '\n');
+        const auto size = static_cast<std::size_t>(end - text.begin()) - from;
+        const std::size_t whole = std::min(size + 1, text.size() - from);
+        Item item =
+            plain_bytes(extent.offset + from, whole, fmt::format("line {}", group.items.size() + 1), "");
+        item.type = Type::text;
+        item.value = quoted(text.subspan(from, size));
+        group.items.push_back(std::move(item));
+        from += whole;
+    }
+}
+
 }  // namespace
 
 void section_groups(const Outline& outline, const Extent& extent, Groups& groups) {
@@ -168,6 +185,8 @@ void section_groups(const Outline& outline, const Extent& extent, Groups& groups
     Group group{extent.record->name, {}, std::string(extent.record->name), "", {}};
     if (extent.record->section == SectionId::object_values) {
         add_values(outline, extent, group);
+    } else if (extent.record->section == SectionId::model) {
+        add_lines(outline, extent, group);
     } else {
         add_strings(outline, extent, group);
     }

@@ -151,6 +151,26 @@ TEST(ImageWriter, cuts_a_long_title_at_a_whole_character) {
     EXPECT_EQ(Opened(plant.image()).label(0).name, std::string(253, 'x') + "ü");
 }
 
+TEST(ImageWriter, keeps_the_canonical_model_with_the_labels) {
+    const SamplePlant plant;
+    const base::Bytes labelled = plant.image();
+    const base::Bytes bare = plant.image(false);
+    EXPECT_EQ(Opened(labelled).image.model(), parameter::canonical_text(plant.settings));
+    EXPECT_EQ(Opened(bare).image.model(), "");
+}
+
+TEST(ImageWriter, leaves_out_a_model_that_would_make_the_image_too_large) {
+    SamplePlant plant;
+    plant.settings.title =
+        std::string(image::maximum_size - plant.image().size() + plant.settings.title.size(), 'x');
+    const base::Bytes fits_or_not = plant.image();
+    EXPECT_LE(fits_or_not.size(), image::maximum_size);
+    plant.settings.title += std::string(1000, 'x');
+    const base::Bytes image = plant.image();
+    EXPECT_EQ(Opened(image).image.model(), "");
+    EXPECT_EQ(Opened(image).label(2000).name, "Speed");
+}
+
 TEST(ImageWriter, never_hands_out_an_image_that_the_reader_refuses) {
     SamplePlant crossed;
     crossed.configuration.governor_node = 4;
