@@ -6,7 +6,8 @@
 #     CONFIG plant.toml          # relative to the current source directory
 #     [SECTION .cgw_config]      # linker section of the image
 #     [ALIGNMENT 8]              # bytes, a power of two
-#     [SYMBOL cgw_config_image]) # C identifier of the image; its size is <SYMBOL>_size
+#     [SYMBOL cgw_config_image]  # C identifier of the image; its size is <SYMBOL>_size
+#     [NO_LABELS])               # leave out names and units, which only displays need
 #
 # The program sees `extern "C" const unsigned char cgw_config_image[];` and `extern "C" const unsigned int
 # cgw_config_image_size;` and gives them to cgw::image::Image::open. A linker that drops unused sections needs
@@ -50,7 +51,7 @@ function(_cgw_find_host_program)
 endfunction()
 
 function(cgw_embed_config)
-  cmake_parse_arguments(PARSE_ARGV 0 embed "" "TARGET;CONFIG;SECTION;ALIGNMENT;SYMBOL" "")
+  cmake_parse_arguments(PARSE_ARGV 0 embed "NO_LABELS" "TARGET;CONFIG;SECTION;ALIGNMENT;SYMBOL" "")
   if(embed_UNPARSED_ARGUMENTS)
     message(FATAL_ERROR "cgw_embed_config: unknown arguments: ${embed_UNPARSED_ARGUMENTS}")
   endif()
@@ -80,6 +81,10 @@ function(cgw_embed_config)
     message(FATAL_ERROR "cgw_embed_config: ALIGNMENT '${embed_ALIGNMENT}' is not a power of two up to 4096")
   endif()
 
+  set(labels "")
+  if(embed_NO_LABELS)
+    set(labels --no-labels)
+  endif()
   _cgw_find_host_program()
   get_filename_component(config "${embed_CONFIG}" ABSOLUTE BASE_DIR "${CMAKE_CURRENT_SOURCE_DIR}")
   set(output "${CMAKE_CURRENT_BINARY_DIR}/cgw_embed/${embed_TARGET}_${embed_SYMBOL}.cpp")
@@ -88,7 +93,7 @@ function(cgw_embed_config)
   add_custom_command(
     OUTPUT "${output}"
     COMMAND "${command}" emit image-source "${config}" -o "${output}"
-            --section "${embed_SECTION}" --align "${embed_ALIGNMENT}" --symbol "${embed_SYMBOL}"
+            --section "${embed_SECTION}" --align "${embed_ALIGNMENT}" --symbol "${embed_SYMBOL}" ${labels}
             --depfile "${output}.d"
     COMMAND "${CMAKE_COMMAND}" -E touch_nocreate "${output}"
     DEPENDS "${config}" ${dependency}

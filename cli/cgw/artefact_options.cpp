@@ -120,6 +120,7 @@ emit::Options artefact_options(const Arguments& arguments, const emit::Emitter& 
     options.alignment = alignment_of(arguments.value("--align"));
     options.symbol = symbol_of(arguments.value("--symbol"));
     options.eds_name = eds_name_of(arguments);
+    options.labels = !arguments.given("--no-labels");
     return options;
 }
 

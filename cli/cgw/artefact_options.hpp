@@ -28,6 +28,9 @@ inline constexpr Option symbol_option = {.names = "--symbol",
                                          .value = "NAME",
                                          .summary = "image-source: name of the array",
                                          .default_value = "cgw_config_image"};
+inline constexpr Option no_labels_option = {
+    .names = "--no-labels",
+    .summary = "image, image-source: leave out names and units, which only displays need"};
 
 inline constexpr Option eds_name_option = {
     .names = "--eds-name",

@@ -116,6 +116,7 @@ constexpr Option emit_options[] = {
     section_option,
     alignment_option,
     symbol_option,
+    no_labels_option,
     check_option,
     list_outputs_option,
     depfile_option,

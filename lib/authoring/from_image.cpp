@@ -127,12 +127,14 @@ bool model_fits(const image::Image& image) {
     return model.data == nullptr || std::equal(stated.begin(), stated.end(), digest.begin());
 }
 
-FileFromImage file_from_image(const image::Image& image, const std::vector<std::string>& remarks) {
+FileFromImage file_from_image(const image::Image& image, const std::vector<std::string>& remarks,
+                              Basis basis) {
     FileFromImage file;
     ImageDraft draft;
     draft.draft.remarks = remarks;
+    draft.reads_labels = basis != Basis::bare;
     const auto model = parameter::read_canonical_text(image.model());
-    file.has_model = model.has_value() && model_fits(image);
+    file.has_model = basis == Basis::model && model.has_value() && model_fits(image);
     if (file.has_model) {
         draft_model(*model, draft);
         for (std::size_t i = 0; i < image.label_count(); ++i) {

@@ -17,7 +17,10 @@ struct FileFromImage {
 
 // From the canonical model where the image has one, and its SHA-256 is the configuration id; else the best
 // that PDOs, buses, objects and labels allow. `remarks`: lines of comment at the top.
-FileFromImage file_from_image(const image::Image& image, const std::vector<std::string>& remarks);
+// sections: as if there were no model; bare: and no labels either, as a gateway reads it
+enum class Basis : std::uint8_t { model, sections, bare };
+FileFromImage file_from_image(const image::Image& image, const std::vector<std::string>& remarks,
+                              Basis basis = Basis::model);
 
 // True when the model's SHA-256 is the configuration id, or there is no model.
 bool model_fits(const image::Image& image);

@@ -118,10 +118,15 @@ bool is_whole_range(const image::Signal& signal) {
     return signal.internal_minimum == lowest && signal.internal_maximum == lowest + span - 1;
 }
 
+bool find_label(const image::Image& from, const ImageDraft& to, std::uint16_t number, image::Label& label) {
+    return to.reads_labels && from.find_label(number, label);
+}
+
 // A name of its own: the label's, or one that says what is known.
 std::string name_for(const image::Signal& signal, const image::Image& from, const ImageDraft& to) {
     image::Label label;
-    const std::string name = from.find_label(signal.number, label) ? std::string(label.name) : std::string();
+    const std::string name =
+        find_label(from, to, signal.number, label) ? std::string(label.name) : std::string();
     const bool is_free = !name.empty() && to.catalogue().find(Device::governor, name) == nullptr;
     return is_free ? name : fmt::format("Measurement{}", signal.number);
 }
@@ -134,7 +139,7 @@ void declare_signal(const image::Signal& signal, const image::Image& from, Image
     row.width = signal.width;
     row.is_signed = signal.is_signed;
     image::Label label;
-    const bool labelled = from.find_label(signal.number, label);
+    const bool labelled = find_label(from, to, signal.number, label);
     row.unit = labelled ? std::string(label.unit) : "";
     if (!is_whole_range(signal) || (labelled && label.has_scaling)) {
         row.scaling = parameter::Scaling{.internal_minimum = signal.internal_minimum,
@@ -156,7 +161,7 @@ void set_signals(const image::Image& from, ImageDraft& to) {
             continue;
         }
         image::Label label;
-        if (known != nullptr && from.find_label(signal.number, label)) {
+        if (known != nullptr && find_label(from, to, signal.number, label)) {
             to.set_references(*known, label);
         }
     }
@@ -166,7 +171,7 @@ void set_signals(const image::Image& from, ImageDraft& to) {
 
 void draft_sections(const image::Image& image, ImageDraft& to) {
     image::Label title;
-    if (image.find_label(0, title)) {
+    if (find_label(image, to, 0, title)) {
         to.draft.title = title.name;
     } else {
         to.lost.emplace_back("title, and names, units and ranges of what was declared");

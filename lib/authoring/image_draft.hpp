@@ -15,6 +15,7 @@ class ImageDraft {
 
     Draft draft;
     std::vector<std::string> lost;
+    bool reads_labels = true;
 
     const parameter::Catalogue& catalogue() const { return catalogue_; }
 

@@ -1,7 +1,8 @@
 #include "canopen/nmt.hpp"
 
-#include <algorithm>
 #include <array>
+
+#include "wire/search.hpp"
 
 namespace cgw::canopen {
 namespace {
@@ -30,7 +31,7 @@ std::optional<NmtCommand> nmt_command(const frame::Frame& frame, std::uint8_t no
         return std::nullopt;
     }
     const auto command = static_cast<NmtCommand>(frame.data[0]);
-    if (std::find(commands.begin(), commands.end(), command) == commands.end()) {
+    if (!wire::contains(commands, command)) {
         return std::nullopt;
     }
     return command;
@@ -38,8 +39,7 @@ std::optional<NmtCommand> nmt_command(const frame::Frame& frame, std::uint8_t no
 
 std::optional<NmtState> heartbeat_state(const frame::Frame& frame) {
     const auto state = static_cast<NmtState>(frame.data[0]);
-    if (frame.extended || frame.remote || frame.length != 1 ||
-        std::find(states.begin(), states.end(), state) == states.end()) {
+    if (frame.extended || frame.remote || frame.length != 1 || !wire::contains(states, state)) {
         return std::nullopt;
     }
     return state;

@@ -54,12 +54,13 @@ std::string array_body(const base::Bytes& bytes) {
 
 }  // namespace
 
-base::Bytes emit_image(const Plant& plant, const Options& /*options*/) {
+base::Bytes emit_image(const Plant& plant, const Options& options) {
     return image_writer::write_image({.settings = plant.settings,
                                       .configuration = plant.configuration,
                                       .dictionary = plant.dictionary,
                                       .configuration_id = plant.configuration_id,
-                                      .tool_version = plant.tool_version});
+                                      .tool_version = plant.tool_version,
+                                      .labels = options.labels});
 }
 
 base::Bytes emit_image_source(const Plant& plant, const Options& options) {

@@ -42,6 +42,7 @@ struct Options {
     unsigned alignment = 8;                                // --align: bytes, a power of two
     std::string symbol = "cgw_config_image";               // --symbol: C identifier
     std::string eds_name = std::string(default_eds_name);  // --eds-name: as eds_file_name() returns it
+    bool labels = true;                                    // --no-labels: names and units are left out
 };
 
 struct Format {

@@ -12,7 +12,9 @@ constexpr std::array image_formats{Format{"bin", "gateway-config.bin"}};
 constexpr std::array image_source_formats{Format{"cpp", ""}};
 constexpr std::array<std::string_view, 2> eds_options{"--generic", "--eds-name"};
 constexpr std::array<std::string_view, 1> named_options{"--eds-name"};
-constexpr std::array<std::string_view, 3> image_source_options{"--section", "--align", "--symbol"};
+constexpr std::array<std::string_view, 1> image_options{"--no-labels"};
+constexpr std::array<std::string_view, 4> image_source_options{"--section", "--align", "--symbol",
+                                                               "--no-labels"};
 
 template <typename Row>
 const Row* find_row(std::span<const Row> rows, std::string_view name) {
@@ -35,7 +37,8 @@ std::span<const Emitter> all_emitters() {
                 emit_pdo_table},
         Emitter{"entry-sheet", "what to type into DcDesk 2000, device by device", entry_sheet_formats(),
                 emit_entry_sheet},
-        Emitter{"image", "configuration image for the gateway runtime", image_formats, emit_image},
+        Emitter{"image", "configuration image for the gateway runtime", image_formats, emit_image,
+                image_options},
         Emitter{"image-source", "the configuration image as C++ source", image_source_formats,
                 emit_image_source, image_source_options},
     };

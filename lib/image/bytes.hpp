@@ -1,4 +1,4 @@
-// Little-endian reads the image needs beyond wire/: signed and 64-bit numbers. Private to the room.
+// Little-endian reads the image needs beyond wire/: 64-bit numbers. Private to the room.
 #pragma once
 
 #include <cstdint>
@@ -6,10 +6,6 @@
 #include "wire/little_endian.hpp"
 
 namespace cgw::image {
-
-constexpr std::int32_t load_i32(const std::uint8_t* from) {
-    return static_cast<std::int32_t>(wire::load_u32(from));
-}
 
 constexpr std::uint64_t load_u64(const std::uint8_t* from) {
     return wire::load_u32(from) | (static_cast<std::uint64_t>(wire::load_u32(from + 4)) << 32);

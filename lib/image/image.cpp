@@ -183,8 +183,13 @@ std::size_t Image::signal_count() const {
 
 Signal Image::signal(std::size_t position) const {
     const std::uint8_t* record = records(SectionId::signals).at(position);
-    return {wire::load_u16(record + signal::number), record[signal::width], record[signal::is_signed] != 0,
-            load_i32(record + signal::internal_minimum), load_i32(record + signal::internal_maximum)};
+    const bool is_signed = record[signal::is_signed] != 0;
+    const auto limit = [record, is_signed](std::size_t at) -> std::int32_t {
+        const std::uint16_t word = wire::load_u16(record + at);
+        return is_signed ? static_cast<std::int16_t>(word) : std::int32_t{word};
+    };
+    return {wire::load_u16(record + signal::number), record[signal::width], is_signed,
+            limit(signal::internal_minimum), limit(signal::internal_maximum)};
 }
 
 bool Image::find_signal(std::uint16_t number, Signal& signal) const {

@@ -120,13 +120,10 @@ namespace object_record {
 inline constexpr std::size_t index = 0;      // u16
 inline constexpr std::size_t sub_index = 2;  // u8
 inline constexpr std::size_t type = 3;       // u8
-inline constexpr std::size_t access = 4;     // u8
-inline constexpr std::size_t flags = 5;      // u8
+inline constexpr std::size_t rights = 4;     // u8: access in bits 0..3, flags in bits 4..7
+inline constexpr std::size_t handler = 5;    // u8, 0
 inline constexpr std::size_t offset = 6;     // u16, of the value in the value block
-inline constexpr std::size_t length = 8;     // u8
-inline constexpr std::size_t handler = 9;    // u8, 0
-inline constexpr std::size_t reserved = 10;  // u16, 0
-inline constexpr std::size_t size = 12;
+inline constexpr std::size_t size = 8;
 }  // namespace object_record
 
 namespace switch_function {                   // one record each, ascending number
@@ -148,9 +145,9 @@ namespace signal {
 inline constexpr std::size_t number = 0;            // u16: measurement, or 9nn
 inline constexpr std::size_t width = 2;             // u8: 8 or 16
 inline constexpr std::size_t is_signed = 3;         // u8
-inline constexpr std::size_t internal_minimum = 4;  // i32
-inline constexpr std::size_t internal_maximum = 8;  // i32
-inline constexpr std::size_t size = 12;
+inline constexpr std::size_t internal_minimum = 4;  // u16, or i16 when is_signed
+inline constexpr std::size_t internal_maximum = 6;  // likewise
+inline constexpr std::size_t size = 8;
 }  // namespace signal
 
 namespace label {  // names for displays, ascending number; number 0 is the file's title

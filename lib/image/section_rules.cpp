@@ -84,11 +84,7 @@ constexpr FieldRule fields[] = {
 
     {SectionId::objects, object_record::index, 2, 0x1000, 0xFFFF},
     {SectionId::objects, object_record::sub_index, 1, 0, 254},
-    {SectionId::objects, object_record::type, 1, 0x01, 0x07},
-    {SectionId::objects, object_record::access, 1, 0, 5},
-    {SectionId::objects, object_record::flags, 1, 0, object::flag_pdo_mappable | object::flag_sdo_read_only},
     {SectionId::objects, object_record::handler, 1, 0, 0},  // none is defined yet
-    {SectionId::objects, object_record::reserved, 2, 0, 0},
 
     {SectionId::switches, switch_function::number, 2, 811, 849},
     {SectionId::switches, switch_function::bit, 1, 1, 16},

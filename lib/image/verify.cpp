@@ -1,10 +1,9 @@
 // From the outside in: header, CRC-32, directory, sections one by one, then against each other.
 #include "image/verify.hpp"
 
-#include <algorithm>
-
 #include "wire/crc32.hpp"
 #include "wire/little_endian.hpp"
+#include "wire/search.hpp"
 
 namespace cgw::image {
 namespace {
@@ -23,10 +22,6 @@ constexpr CrossCheck cross_checks[] = {
 
 constexpr std::size_t align_up(std::size_t offset) {
     return (offset + 3U) & ~std::size_t{3U};
-}
-
-bool all_zero(std::span<const std::uint8_t> bytes) {
-    return std::all_of(bytes.begin(), bytes.end(), [](std::uint8_t byte) { return byte == 0; });
 }
 
 }  // namespace
@@ -74,7 +69,7 @@ Status Verifier::check_header() {
         return Status::too_large;
     }
     const std::uint8_t* data = bytes_.data();
-    if (!std::equal(std::begin(magic), std::end(magic), data + header::magic)) {
+    if (wire::load_u32(data + header::magic) != wire::load_u32(magic)) {
         return Status::bad_magic;
     }
     if (image_.format_major() != format_major) {
@@ -92,7 +87,7 @@ Status Verifier::check_header() {
     if (header_size_ + section_count_ * directory::entry_size > crc_offset()) {
         return Status::bad_directory;
     }
-    if (known && !all_zero(bytes_.subspan(header::reserved, header::size - header::reserved))) {
+    if (known && !wire::all_zero(bytes_.subspan(header::reserved, header::size - header::reserved))) {
         return Status::bad_header_size;
     }
     return Status::ok;
@@ -118,8 +113,8 @@ Status Verifier::check_directory() {
         }
     }
     const bool ends_at_crc = align_up(end) == crc_offset();
-    return ends_at_crc && all_zero(bytes_.subspan(end, crc_offset() - end)) ? Status::ok
-                                                                            : Status::bad_directory;
+    return ends_at_crc && wire::all_zero(bytes_.subspan(end, crc_offset() - end)) ? Status::ok
+                                                                                  : Status::bad_directory;
 }
 
 // `end` is where the section before this one ended, and becomes where this one ends; never past the CRC.
@@ -130,7 +125,7 @@ Status Verifier::check_entry(const std::uint8_t* entry, std::size_t& end) {
     const std::uint32_t size = wire::load_u32(entry + directory::size);
     const bool inside = offset == align_up(end) && offset <= crc_offset() && size <= crc_offset() - offset;
     if (!inside || record_size == 0 || size % record_size != 0 ||
-        !all_zero(bytes_.subspan(end, offset - end))) {
+        !wire::all_zero(bytes_.subspan(end, offset - end))) {
         return Status::bad_directory;
     }
     end = offset + size;

@@ -1,16 +1,14 @@
 // What the two buses, the governor's half and the heartbeats must agree on.
-#include <algorithm>
-
 #include "facts/gateway.hpp"
 #include "image/verify.hpp"
+#include "wire/search.hpp"
 
 namespace cgw::image {
 namespace {
 
 // With manual timing the automatic bit rate means nothing; it may stand there or be 0.
 bool is_bit_rate(std::uint16_t kbit, bool manual) {
-    return (manual && kbit == 0) || std::find(facts::bit_rates_kbit.begin(), facts::bit_rates_kbit.end(),
-                                              kbit) != facts::bit_rates_kbit.end();
+    return (manual && kbit == 0) || wire::contains(facts::bit_rates_kbit, kbit);
 }
 
 bool is_heartbeat_time(std::uint32_t time_us) {

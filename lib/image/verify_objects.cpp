@@ -6,12 +6,15 @@ namespace {
 
 constexpr std::uint8_t value_sizes[] = {4, 2, 1};  // the order of the value block
 
+constexpr unsigned known_flags = object::flag_pdo_mappable | object::flag_sdo_read_only;
+
 bool records_fit(const object::ObjectTable& table) {
     std::uint32_t last_key = 0;  // indices begin at 1000h
     for (std::size_t i = 0; i < table.size(); ++i) {
         const object::ObjectEntry entry = table.entry(i);
         const std::uint32_t key = (static_cast<std::uint32_t>(entry.index) << 8) | entry.sub_index;
-        if (key <= last_key || object::size_of(entry.type) != entry.length) {
+        if (key <= last_key || entry.length == 0 || entry.access > object::Access::constant ||
+            entry.flags > known_flags) {
             return false;
         }
         last_key = key;

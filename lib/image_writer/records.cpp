@@ -72,8 +72,10 @@ Record signal_record(const parameter::Row& row) {
     record.u16(at::number, row.number);
     record.u8(at::width, width);
     record.flag(at::is_signed, is_signed);
-    record.i32(at::internal_minimum, row.scaling ? row.scaling->internal_minimum : lowest);
-    record.i32(at::internal_maximum, row.scaling ? row.scaling->internal_maximum : lowest + span - 1);
+    const std::int32_t minimum = row.scaling ? row.scaling->internal_minimum : lowest;
+    const std::int32_t maximum = row.scaling ? row.scaling->internal_maximum : lowest + span - 1;
+    record.u16(at::internal_minimum, static_cast<std::uint16_t>(minimum));
+    record.u16(at::internal_maximum, static_cast<std::uint16_t>(maximum));
     return record;
 }
 

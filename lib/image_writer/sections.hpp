@@ -26,7 +26,6 @@ class Record {
     void flag(std::size_t offset, bool value) { bytes_[offset] = value ? 1 : 0; }
     void u16(std::size_t offset, std::uint16_t value);
     void u32(std::size_t offset, std::uint32_t value);
-    void i32(std::size_t offset, std::int32_t value) { u32(offset, static_cast<std::uint32_t>(value)); }
     void f64(std::size_t offset, double value);
 
     const base::Bytes& bytes() const { return bytes_; }

@@ -12,7 +12,7 @@ struct TypeRow {
 };
 
 constexpr TypeRow types[] = {
-    {Type::u8, 1, "u8"},   {Type::u16, 2, "u16"},     {Type::u32, 4, "u32"},   {Type::i32, 4, "i32"},
+    {Type::u8, 1, "u8"},   {Type::u16, 2, "u16"},     {Type::u32, 4, "u32"},
     {Type::f64, 8, "f64"}, {Type::bytes, 1, "bytes"}, {Type::text, 1, "text"},
 };
 
@@ -38,6 +38,16 @@ std::string range_text(const Field& field) {
                : fmt::format("{}..{}", field.range->minimum, field.range->maximum);
 }
 
+std::string listed(std::span<const NamedValue> values) {
+    std::string all;
+    for (const NamedValue& value : values) {
+        const bool last = &value == &values.back();
+        const std::string_view before = all.empty() ? "" : last && value.name.empty() ? " or " : ", ";
+        all += fmt::format("{}{}{}{}", before, value.value, value.name.empty() ? "" : " ", value.name);
+    }
+    return all;
+}
+
 }  // namespace
 
 std::size_t size_of(Type type) {
@@ -54,13 +64,7 @@ std::string values_text(const Field& field) {
     if (field.range && !told) {
         return range_text(field);
     }
-    std::string all;
-    for (const NamedValue& value : field.values) {
-        const bool last = &value == &field.values.back();
-        const std::string_view before = all.empty() ? "" : last && value.name.empty() ? " or " : ", ";
-        all += fmt::format("{}{}{}{}", before, value.value, value.name.empty() ? "" : " ", value.name);
-    }
-    return all;
+    return listed(field.values) + (field.bits.empty() ? "" : "; " + listed(field.bits));
 }
 
 std::string full_text(const Field& field) {

@@ -1,5 +1,6 @@
 #include "inspect/field_value.hpp"
 
+#include <algorithm>
 #include <bit>
 
 #include <fmt/format.h>
@@ -28,8 +29,7 @@ std::string number_text(const Field& field, std::uint32_t number) {
         case Shown::object_index:
             return base::object_text(number);
         default:
-            return field.type == Type::i32 ? fmt::format("{}", static_cast<std::int32_t>(number))
-                                           : fmt::format("{}", number);
+            return fmt::format("{}", number);
     }
 }
 
@@ -45,10 +45,17 @@ std::string mapping_text(std::uint32_t mapping) {
 
 std::string named(const Field& field, std::uint32_t number) {
     std::string names;
+    const auto add = [&](const NamedValue& value) {
+        names += (names.empty() || value.name.empty() ? "" : ", ") + std::string(value.name);
+    };
     for (const NamedValue& value : field.values) {
-        const bool holds = field.flags ? (number & value.value) != 0 : number == value.value;
-        if (holds && !value.name.empty()) {
-            names += (names.empty() ? "" : ", ") + std::string(value.name);
+        if (value.value == (number & field.values_mask)) {
+            add(value);
+        }
+    }
+    for (const NamedValue& bit : field.bits) {
+        if ((number & bit.value) != 0) {
+            add(bit);
         }
     }
     return names;
@@ -92,6 +99,9 @@ std::string meaning_of(const Outline& outline, const Field& field, std::size_t e
     if (field.shown == Shown::mapping) {
         return mapping_text(number);
     }
+    if (field.shown == Shown::parameter && number == 0 && !field.range) {
+        return "none";
+    }
     if (field.shown == Shown::microseconds && number != 0) {
         return base::milliseconds_text(number);
     }
@@ -105,14 +115,12 @@ std::string meaning_of(const Outline& outline, const Field& field, std::size_t e
 }
 
 bool is_named(const Field& field, std::uint32_t number) {
-    std::uint32_t bits = 0;
-    for (const NamedValue& value : field.values) {
-        if (!field.flags && value.value == number) {
-            return true;
-        }
-        bits |= value.value;
+    std::uint32_t other_bits = number & ~field.values_mask;
+    for (const NamedValue& bit : field.bits) {
+        other_bits &= ~bit.value;
     }
-    return field.flags && (number & ~bits) == 0;
+    const auto holds = [&](const NamedValue& value) { return value.value == (number & field.values_mask); };
+    return other_bits == 0 && std::any_of(field.values.begin(), field.values.end(), holds);
 }
 
 std::string wrong_with(const Outline& outline, const Field& field, std::uint32_t number) {
@@ -173,6 +181,10 @@ Item item_of(const Outline& outline, const Field& field, std::size_t element, st
     }
     const std::uint32_t number = load(outline.bytes, at, item.size);
     item.value = number_text(field, number);
+    if (field.shown == Shown::word &&
+        load(outline.bytes, at - field.offset + image::signal::is_signed, 1) != 0) {
+        item.value = fmt::format("{}", static_cast<std::int16_t>(number));
+    }
     item.meaning = meaning_of(outline, field, element, record, number);
     item.wrong = wrong_with(outline, field, number);
     return item;

@@ -17,9 +17,9 @@
 namespace cgw::inspect {
 
 // Numbers are little-endian; f64 is IEEE 754. `count` of `bytes` and `text` is their size.
-enum class Type : std::uint8_t { u8, u16, u32, i32, f64, bytes, text };
+enum class Type : std::uint8_t { u8, u16, u32, f64, bytes, text };
 
-std::size_t size_of(Type type);       // 1, 2, 4, 4, 8, 1, 1
+std::size_t size_of(Type type);       // 1, 2, 4, 8, 1, 1
 std::string_view name_of(Type type);  // "u8", …
 
 // How a value is written for people; what it means is then told besides.
@@ -30,6 +30,7 @@ enum class Shown : std::uint8_t {
     object_index,  // 2001h
     mapping,       // index << 16 | sub-index << 8 | bits
     microseconds,
+    word,       // two's complement when the signal is signed
     parameter,  // the number of a parameter; its label is its meaning
     reserved,   // 0 in this minor
 };
@@ -55,9 +56,10 @@ struct Field {
     std::string_view source{};   // the parameters that it comes from: "401 / 427"
     std::size_t count = 1;
     Shown shown = Shown::decimal;
-    std::optional<Range> range{};          // that every image of this minor keeps
-    std::span<const NamedValue> values{};  // all that it may have, or with `flags` its bits
-    bool flags = false;
+    std::optional<Range> range{};             // that every image of this minor keeps
+    std::span<const NamedValue> values{};     // all that it may have
+    std::uint32_t values_mask = 0xFFFF'FFFF;  // of the bits that `values` are about
+    std::span<const NamedValue> bits{};       // of the other bits, those with a meaning
     std::span<const std::string_view> elements{};
 
     std::size_t size() const { return count * size_of(type); }

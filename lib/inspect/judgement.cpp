@@ -60,16 +60,12 @@ void judge_objects(const Outline& outline, Groups& groups) {
             blame(group, at::index, "objects must ascend, each once");
         }
         last = key;
-        const std::uint8_t length = object::size_of(static_cast<object::DataType>(record[at::type]));
-        if (length != 0 && record[at::length] != length) {
-            blame(group, at::length, fmt::format("must be {}, as the type has it", length));
-        }
     });
     std::size_t next = 0;
     for (const std::size_t size : {4U, 2U, 1U}) {
         each_record(outline, SectionId::objects, groups,
                     [&](Group& group, std::span<const std::uint8_t> record) {
-                        if (record[at::length] == size) {
+                        if (object::size_of(static_cast<object::DataType>(record[at::type])) == size) {
                             if (load(record, at::offset, 2) != next) {
                                 blame(group, at::offset, fmt::format("must be {}", next));
                             }
@@ -95,7 +91,9 @@ std::string wrong_mapping(const Outline& outline, std::uint32_t mapping) {
         const auto record = outline.record(SectionId::objects, i);
         if (record.size() >= at::size && load(record, at::index, 2) == index &&
             record[at::sub_index] == sub_index) {
-            return (record[at::flags] & object::flag_pdo_mappable) != 0 ? "" : "the object is not mappable";
+            return (record[at::rights] & (object::flag_pdo_mappable << 4)) != 0
+                       ? ""
+                       : "the object is not mappable";
         }
     }
     return "there is no such object";

@@ -21,11 +21,12 @@ inline constexpr NamedValue data_types[] = {{1, "BOOLEAN", "boolean"},      {2, 
                                             {7, "UNSIGNED32", "unsigned32"}};
 inline constexpr NamedValue accesses[] = {{0, "ro", "ro"},   {1, "wo", "wo"},   {2, "rw", "rw"},
                                           {3, "rwr", "rwr"}, {4, "rww", "rww"}, {5, "const", "constant"}};
+// Access in the lower half, flags in the upper one.
+inline constexpr std::uint32_t access_mask = 0x0F;
 inline constexpr NamedValue object_flags[] = {
-    {object::flag_pdo_mappable, "mappable into a PDO", "pdo_mappable"},
-    {object::flag_sdo_read_only, "never written by SDO (D29)", "sdo_read_only"}};
+    {object::flag_pdo_mappable << 4, "mappable into a PDO", "pdo_mappable"},
+    {object::flag_sdo_read_only << 4, "never written by SDO (D29)", "sdo_read_only"}};
 inline constexpr NamedValue widths[] = {{8}, {16}};
-inline constexpr NamedValue lengths[] = {{1}, {2}, {4}};
 
 inline constexpr Field pdo_fields[] = {
     {.name = "direction", .offset = image::pdo::direction, .meaning = "", .values = directions},
@@ -102,31 +103,23 @@ inline constexpr Field object_fields[] = {
      .offset = image::object_record::type,
      .meaning = "CiA 301 data type",
      .values = data_types},
-    {.name = "access", .offset = image::object_record::access, .meaning = "", .values = accesses},
-    {.name = "flags",
-     .offset = image::object_record::flags,
-     .meaning = "",
-     .values = object_flags,
-     .flags = true},
-    {.name = "offset",
-     .offset = image::object_record::offset,
-     .type = Type::u16,
-     .meaning = "of the value in its block"},
-    {.name = "length",
-     .offset = image::object_record::length,
-     .meaning = "bytes of the value",
-     .note = "as the type has it",
-     .values = lengths},
+    {.name = "rights",
+     .offset = image::object_record::rights,
+     .meaning = "access and flags",
+     .note = "access in bits 0..3, flags in bits 4..7",
+     .shown = Shown::hexadecimal,
+     .values = accesses,
+     .values_mask = access_mask,
+     .bits = object_flags},
     {.name = "handler",
      .offset = image::object_record::handler,
      .meaning = "plain memory",
      .note = "other numbers are left to later minors",
      .shown = Shown::reserved},
-    {.name = "reserved",
-     .offset = image::object_record::reserved,
+    {.name = "offset",
+     .offset = image::object_record::offset,
      .type = Type::u16,
-     .meaning = "0",
-     .shown = Shown::reserved},
+     .meaning = "of the value in its block"},
 };
 
 inline constexpr Field switch_fields[] = {
@@ -181,13 +174,16 @@ inline constexpr Field signal_fields[] = {
      .range = flag_range},
     {.name = "internal_minimum",
      .offset = image::signal::internal_minimum,
-     .type = Type::i32,
-     .meaning = "lowest value on the wire"},
+     .type = Type::u16,
+     .meaning = "lowest value on the wire",
+     .note = "two's complement when the signal is signed",
+     .shown = Shown::word},
     {.name = "internal_maximum",
      .offset = image::signal::internal_maximum,
-     .type = Type::i32,
+     .type = Type::u16,
      .meaning = "highest value",
-     .note = "larger than the lowest"},
+     .note = "larger than the lowest; likewise",
+     .shown = Shown::word},
 };
 
 inline constexpr Field label_fields[] = {

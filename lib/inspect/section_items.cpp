@@ -90,8 +90,8 @@ std::vector<Placed> placed_values(const Outline& outline) {
         if (record.size() < at::size) {
             break;
         }
-        const std::size_t length = record[at::length];
-        if (length == 1 || length == 2 || length == 4) {
+        const std::size_t length = object::size_of(static_cast<object::DataType>(record[at::type]));
+        if (length != 0) {
             const Type type = length == 1 ? Type::u8 : length == 2 ? Type::u16 : Type::u32;
             values.push_back({load(record, at::offset, 2), length, type, object_name(record)});
         }

@@ -7,11 +7,9 @@ std::array<std::uint8_t, object_record_size> encode(const ObjectEntry& entry) {
     wire::store_u16(&record[0], entry.index);
     record[2] = entry.sub_index;
     record[3] = static_cast<std::uint8_t>(entry.type);
-    record[4] = static_cast<std::uint8_t>(entry.access);
-    record[5] = entry.flags;
+    record[4] = static_cast<std::uint8_t>(static_cast<unsigned>(entry.access) | entry.flags << 4U);
+    record[5] = entry.handler;
     wire::store_u16(&record[6], entry.offset);
-    record[8] = entry.length;
-    record[9] = entry.handler;
     return record;
 }
 

@@ -1,4 +1,4 @@
-// The object dictionary as the runtime sees it: sorted 12-byte records, read in place (flash, file or
+// The object dictionary as the runtime sees it: sorted 8-byte records, read in place (flash, file or
 // memory; any alignment), and one flat block of values in RAM.
 #pragma once
 
@@ -13,26 +13,26 @@
 
 namespace cgw::object {
 
-// Entry flags.
+// Entry flags, 4 bits.
 inline constexpr std::uint8_t flag_pdo_mappable = 0x01;
 inline constexpr std::uint8_t flag_sdo_read_only = 0x02;  // rww in the EDS, yet SDO may not write it (D29)
 
 struct ObjectEntry {
     std::uint16_t index = 0;
     std::uint8_t sub_index = 0;
-    DataType type = DataType::unsigned8;
+    DataType type{};  // 0: none
     Access access = Access::ro;
     std::uint8_t flags = 0;
     std::uint16_t offset = 0;  // of the value in the value block, bytes
-    std::uint8_t length = 0;   // of the value, bytes: 1, 2 or 4
+    std::uint8_t length = 0;   // of the value, bytes: 1, 2 or 4, as the type has it; 0 for an unknown type
     std::uint8_t handler = 0;  // 0: plain memory; others belong to the device
 
     friend bool operator==(const ObjectEntry&, const ObjectEntry&) = default;
 };
 
-// Record layout, little-endian: index u16, sub u8, type u8, access u8, flags u8, offset u16, length u8,
-// handler u8, reserved u16 (0). Records are sorted by index, then sub-index, each pair once.
-inline constexpr std::size_t object_record_size = 12;
+// Record layout, little-endian: index u16, sub u8, type u8, rights u8 (access in the low, flags in the high
+// half), handler u8, offset u16. Records are sorted by index, then sub-index, each pair once.
+inline constexpr std::size_t object_record_size = 8;
 
 std::array<std::uint8_t, object_record_size> encode(const ObjectEntry& entry);
 
@@ -41,11 +41,11 @@ inline ObjectEntry decode_object_record(const std::uint8_t* record) {
     entry.index = wire::load_u16(record);
     entry.sub_index = record[2];
     entry.type = static_cast<DataType>(record[3]);
-    entry.access = static_cast<Access>(record[4]);
-    entry.flags = record[5];
+    entry.access = static_cast<Access>(record[4] & 0x0FU);
+    entry.flags = static_cast<std::uint8_t>(record[4] >> 4);
+    entry.handler = record[5];
     entry.offset = wire::load_u16(record + 6);
-    entry.length = record[8];
-    entry.handler = record[9];
+    entry.length = size_of(entry.type);
     return entry;
 }
 

@@ -18,19 +18,9 @@ enum class DataType : std::uint8_t {
 
 // Bytes on the wire; 0 for a type this core does not carry.
 constexpr std::uint8_t size_of(DataType type) {
-    switch (type) {
-        case DataType::boolean:
-        case DataType::integer8:
-        case DataType::unsigned8:
-            return 1;
-        case DataType::integer16:
-        case DataType::unsigned16:
-            return 2;
-        case DataType::integer32:
-        case DataType::unsigned32:
-            return 4;
-    }
-    return 0;
+    constexpr std::uint32_t sizes = 0x42142110;  // four bits for each type
+    const auto number = static_cast<unsigned>(type);
+    return number <= 0x07 ? static_cast<std::uint8_t>(sizes >> (4U * number) & 0x0FU) : std::uint8_t{0};
 }
 
 constexpr bool is_signed(DataType type) {

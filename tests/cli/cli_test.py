@@ -412,7 +412,7 @@ class Usage(Verb):
     def test_mistakes_are_exit_2_and_go_to_stderr(self):
         self.assert_usage("did you mean 'check'?", "chek", GENSET)
         self.assert_usage("a verb is missing", *[])
-        self.assert_usage("cgw image needs one of verify, inspect, annotate", "image")
+        self.assert_usage("cgw image needs one of verify, inspect, annotate, diff, decompile", "image")
         self.assert_usage("did you mean 'image verify'?", "image", "verfy", "x")
         self.assert_usage("cgw check has no option --bogus", "check", "--bogus", GENSET)
         self.assert_usage("cgw check has no option -x", "check", "-x")
@@ -645,6 +645,21 @@ class Emit(Verb):
             jsonschema.validate(document, schema)
             self.assertEqual([p["name"] for p in document["pdos"]],
                              [f"TPDO{n}" for n in range(1, 17)] + [f"RPDO{n}" for n in range(1, 5)])
+
+    def test_labels_can_be_left_out_of_the_image(self):
+        sizes = []
+        for arguments in ([], ["--no-labels"]):
+            image = self.dir / "x.bin"
+            self.assertEqual(cgw("emit", "image", GENSET, "-o", image, *arguments).returncode, 0)
+            self.assertEqual(cgw("image", "verify", image).returncode, 0)
+            shown = json.loads(cgw("image", "inspect", image, "--format", "json").stdout)
+            self.assertEqual(bool(shown["labels"]), not arguments)
+            self.assertIn(f"{image.stat().st_size} bytes", cgw("emit", "image-source", GENSET, *arguments).stdout.decode())
+            sizes.append(image.stat().st_size)
+        self.assertLess(sizes[1], sizes[0])
+        result = cgw("emit", "eds", GENSET, "--no-labels")
+        self.assertEqual((result.returncode, result.stdout), (2, b""))
+        self.assertIn(b"--no-labels is an option of image, image-source, not of eds", result.stderr)
 
     def test_an_invalid_file_emits_nothing(self):
         path, _ = self.bad()

@@ -92,18 +92,116 @@ class Annotate(ImageVerb):
                 self.assertEqual(document["refusal"]["status"], status)
 
     def test_a_wrong_crc_does_not_hide_what_else_is_wrong(self):
-        self.write(self.image[:0xF0] + b"\xc8" + self.image[0xF1:])
+        self.write(self.image[:0xFC] + b"\xc8" + self.image[0xFD:])
         result = cgw("image", "annotate", "x.bin", directory=self.dir)
         self.assertEqual(result.stderr.decode(),
                          "x.bin: refused: the CRC-32 does not match (status 7)\n"
                          "x.bin: with a right CRC-32 also refused: a record holds a value that no configuration can "
                          "have (status 10)\n")
-        self.assertIn("buses 2 of 2: CAN2\n! 00F0 C8          u8    own_node          200        the gateway's node "
+        self.assertIn("buses 2 of 2: CAN2\n! 00FC C8          u8    own_node          200        the gateway's node "
                       "(427)\n!      ^^ must be 1..127\n", result.stdout.decode())
 
     def test_a_full_disk_is_exit_3(self):
         self.has_full_disk("image", "annotate", self.path)
         self.has_full_disk("image", "annotate", self.path, "--json")
+
+
+class Decompile(ImageVerb):
+    def test_the_file_compiles_to_the_identical_image(self):
+        for sample in ("genset.toml", "minimal.toml", "manual-example.toml"):
+            image, file, again = (self.dir / name for name in ("a.bin", "a.toml", "b.bin"))
+            cgw("emit", "image", SAMPLES / sample, "-o", image)
+            result = cgw("image", "decompile", image, "-o", file, "--force")
+            self.assertEqual((result.returncode, result.stdout, result.stderr), (0, b"", b""), sample)
+            self.assertIn("# It compiles to the identical image.\n", file.read_text())
+            self.assertEqual(cgw("emit", "image", file, "-o", again).returncode, 0)
+            self.assertEqual(again.read_bytes(), image.read_bytes(), sample)
+
+    def test_without_labels_it_says_what_is_lost(self):
+        cgw("emit", "image", GENSET, "--no-labels", "-o", self.path)
+        result = cgw("image", "decompile", "x.bin", directory=self.dir)
+        self.assertEqual(result.returncode, 0)
+        lines = result.stderr.decode().splitlines()
+        self.assertIn("x.bin: lost: title, and names, units and ranges of what was declared", lines)
+        self.assertRegex(lines[-1], r"^x\.bin: the file compiles to another image, of configuration [0-9a-f]{16}; "
+                                    r"different: configuration id$")
+        self.assertIn("# What the image does not hold, and is lost:\n", result.stdout.decode())
+
+    def test_a_model_of_another_id_is_refused(self):
+        self.write(signed(self.image[:16] + b"\0" + self.image[17:]))
+        result = cgw("image", "decompile", "x.bin", directory=self.dir)
+        self.assertEqual((result.returncode, result.stdout), (1, b""))
+        self.assertIn(b"the configuration id is not that of the model", result.stderr)
+        self.assertEqual(cgw("image", "annotate", self.path).returncode, 1)
+
+    def test_bad_images_are_refused(self):
+        for status, result in self.refused_by("image", "decompile"):
+            self.assertEqual(result.stdout, b"", status)
+
+    def test_files_and_full_disks(self):
+        out = self.write(b"mine", "out.toml")
+        self.assertEqual(cgw("image", "decompile", self.path, "-o", out).returncode, 2)
+        self.assertEqual(out.read_bytes(), b"mine")
+        self.assertEqual(cgw("image", "decompile", self.path, "-o", self.path, "--force").returncode, 2)
+        self.assertEqual(cgw("image", "decompile", self.path, "-o", self.dir / "none" / "x.toml").returncode, 3)
+        self.has_full_disk("image", "decompile", self.path)
+
+
+class Diff(ImageVerb):
+    def other(self, *options, old="427", new="427"):
+        path = self.dir / "y.bin"
+        file = self.dir / "y.toml"
+        file.write_text(GENSET.read_text().replace(old, new))
+        self.assertEqual(cgw("emit", "image", file, *options, "-o", path).returncode, 0)
+        return path
+
+    def diff(self, *options):
+        return cgw("image", "diff", "x.bin", "y.bin", *options, directory=self.dir)
+
+    def test_identical_images_are_said_to_be_so(self):
+        self.other()
+        result = self.diff()
+        self.assertEqual((result.returncode, result.stderr), (0, b""))
+        self.assertIn("Nothing differs.\nThe images are byte for byte the same.\n", result.stdout.decode())
+        self.assertTrue(json.loads(self.diff("--format", "json").stdout)["same"])
+
+    def test_differences_are_told_as_parameters_and_what_follows(self):
+        self.other(old='title = "Genset 2, starboard"', new='title = "Genset 3, port"')
+        result = self.diff()
+        self.assertEqual((result.returncode, result.stderr), (1, b""))
+        self.assertIn("Genset 3, port", result.stdout.decode())
+
+    def test_labels_left_out_are_told(self):
+        self.other("--no-labels")
+        result = self.diff("--format", "json")
+        self.assertEqual((result.returncode, result.stderr), (1, b""))
+        document = json.loads(result.stdout)
+        self.assertEqual(document["consequences"], [])
+        self.assertIn({"kind": "image-labels", "subject": "labels", "a": "in the image", "b": "left out"},
+                      document["otherwise"])
+
+    def test_another_version_of_cgw_is_told(self):
+        self.write(signed(self.image[:48] + b"\7" + self.image[49:]), "y.bin")
+        result = self.diff()
+        self.assertEqual(result.returncode, 1)
+        self.assertRegex(result.stdout.decode(), r"written by +cgw \S+ -> cgw 7\.")
+
+    def test_a_value_changed_by_other_means_is_told(self):
+        at = struct.unpack_from("<I", self.image, 64 + 6 * 12 + 4)[0]
+        self.write(signed(self.image[:at] + b"\x55" + self.image[at + 1:]), "y.bin")
+        result = self.diff()
+        self.assertEqual(result.returncode, 1)
+        self.assertIn("section object_values", result.stdout.decode())
+
+    def test_bad_images_are_refused(self):
+        for content, status in self.bad_images().items():
+            self.write(content, "y.bin")
+            result = self.diff()
+            self.assertEqual((result.returncode, result.stdout), (1, b""), status)
+            self.assertIn(f"(status {status})".encode(), result.stderr)
+        (self.dir / "y.bin").unlink()
+        self.assertEqual(self.diff().returncode, 3)
+        self.has_full_disk("image", "diff", self.path, self.path)
 
 
 if __name__ == "__main__":

@@ -87,6 +87,9 @@ def good_file(consumer):
     image_size = (consumer.work / "expected.bin").stat().st_size
     check(int(symbol.group(1), 16) == image_size, "the symbol has another size than the image")
     check(re.search(r" [Rr] plant_image_size$", symbols, re.M), "no symbol plant_image_size")
+    bare = re.search(r"^[0-9a-f]+ ([0-9a-f]+) [Rr] bare_image$", symbols, re.M)
+    check(bare, "no symbol bare_image: the second image of the program is missing")
+    check(int(bare.group(1), 16) < image_size, "NO_LABELS left the labels in")
 
 
 def nothing_changed(consumer):

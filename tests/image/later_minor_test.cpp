@@ -121,7 +121,7 @@ TEST(LaterMinor, is_still_held_to_everything_this_minor_defines) {
     EXPECT_EQ(open(changed(later, offset_of(old, SectionId::buses), 1, 0)), Status::bad_section);
 
     std::vector<Part> shorter = parts;
-    shorter[9] = {10, 8, base::Bytes(8)};
+    shorter[9] = {10, 4, base::Bytes(8)};
     EXPECT_EQ(open(join(old, shorter, 1, header::size)), Status::bad_directory);
     std::vector<Part> lost = parts;
     lost.erase(lost.begin() + 7);

@@ -154,12 +154,11 @@ const WrongField object_fields[] = {
     {"data type REAL32", SectionId::objects, 0, 3, 1, 8, Status::bad_object_table},
     {"data type of another length", SectionId::objects, 0, 3, 1, 6, Status::bad_object_table},
     {"access 6", SectionId::objects, 0, 4, 1, 6, Status::bad_object_table},
-    {"unknown flag", SectionId::objects, 0, 5, 1, 4, Status::bad_object_table},
+    {"access 6 of a mappable object", SectionId::objects, 0, 4, 1, 0x16, Status::bad_object_table},
+    {"unknown flag", SectionId::objects, 0, 4, 1, 0x40, Status::bad_object_table},
     {"value outside the block", SectionId::objects, 0, 6, 2, 0xFFFC, Status::bad_object_table},
     {"value over another one", SectionId::objects, 0, 6, 2, 4, Status::bad_object_table},
-    {"length 3", SectionId::objects, 0, 8, 1, 3, Status::bad_object_table},
-    {"handler", SectionId::objects, 0, 9, 1, 1, Status::bad_object_table},
-    {"reserved bytes", SectionId::objects, 0, 11, 1, 1, Status::bad_object_table},
+    {"handler", SectionId::objects, 0, 5, 1, 1, Status::bad_object_table},
 };
 
 TEST(ImageObjects, are_refused_when_the_table_is_not_consistent) {
@@ -185,10 +184,10 @@ const WrongField input_fields[] = {
     {"signals out of order", SectionId::signals, 0, 0, 2, 906, section},
     {"width 12", SectionId::signals, 0, image::signal::width, 1, 12, section},
     {"sign 2", SectionId::signals, 0, image::signal::is_signed, 1, 2, section},
-    {"negative minimum of an unsigned signal", SectionId::signals, 0, image::signal::internal_minimum, 4,
-     0xFFFFFFFF, section},
-    {"maximum beyond the width", SectionId::signals, 0, image::signal::internal_maximum, 4, 65536, section},
-    {"minimum is the maximum", SectionId::signals, 0, image::signal::internal_minimum, 4, 65535, section},
+    {"limits of an unsigned signal read with sign", SectionId::signals, 0, image::signal::is_signed, 1, 1,
+     section},
+    {"maximum beyond the width", SectionId::signals, 0, image::signal::width, 1, 8, section},
+    {"minimum is the maximum", SectionId::signals, 0, image::signal::internal_minimum, 2, 65535, section},
 };
 
 TEST(ImageInputs, are_refused_when_they_cannot_be_carried) {

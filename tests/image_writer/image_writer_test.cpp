@@ -36,7 +36,7 @@ TEST(ImageWriter, writes_the_same_bytes_for_the_same_configuration) {
 TEST(ImageWriter, writes_the_header_of_the_layout) {
     const base::Bytes bytes = SamplePlant().image();
     EXPECT_EQ(std::string(bytes.begin(), bytes.begin() + 4), "CGWI");
-    EXPECT_EQ(wire::load_u16(&bytes[image::header::section_count]), 12);
+    EXPECT_EQ(wire::load_u16(&bytes[image::header::section_count]), 13);
     EXPECT_EQ(wire::load_u32(&bytes[image::header::total_size]), bytes.size());
     EXPECT_EQ(bytes[image::header::configuration_id], 0xA0);
     EXPECT_EQ(bytes.size() % 4, 0U);

@@ -43,8 +43,7 @@ TEST(Annotate, tells_every_byte_of_real_images_exactly_once_and_in_order) {
 }
 
 TEST(Annotate, tells_what_values_mean) {
-    const test::SamplePlant plant;
-    const Annotation annotation = annotate(plant.image());
+    const Annotation annotation = annotate(test::image_by_hand());
     const struct {
         const char* title;
         const char* name;
@@ -75,9 +74,8 @@ TEST(Annotate, tells_what_values_mean) {
 }
 
 TEST(Annotate, prints_at_most_80_columns) {
-    test::SamplePlant plant;
-    plant.settings.title = std::string(60, 'x') + " \xC3\xBC " + std::string(100, 'y');
-    const base::Bytes image = plant.image();
+    const base::Bytes image =
+        test::image_by_hand(true, std::string(60, 'x') + " \xC3\xBC " + std::string(100, 'y'));
     std::istringstream lines(annotation_text(annotate(image), image, "plant.bin"));
     for (std::string line; std::getline(lines, line);) {
         EXPECT_LE(base::width_of(line), 80U) << line;
@@ -85,8 +83,18 @@ TEST(Annotate, prints_at_most_80_columns) {
     }
 }
 
+TEST(Annotate, marks_a_model_that_has_another_id) {
+    const Annotation annotation = annotate(test::SamplePlant().image());
+    EXPECT_EQ(annotation.status, image::Status::ok);
+    EXPECT_FALSE(annotation.model_fits);
+    EXPECT_TRUE(annotate(test::image_by_hand()).model_fits);
+    const Group& model = annotation.groups[annotation.groups.size() - 2];
+    EXPECT_EQ(model.section, "model");
+    EXPECT_EQ(model.wrong, "its SHA-256 is not the configuration id");
+}
+
 TEST(Annotate, prints_text_and_json_as_before) {
-    const base::Bytes image = test::SamplePlant().image();
+    const base::Bytes image = test::image_by_hand();
     test::expect_golden("image/annotate.txt", annotation_text(annotate(image), image, "plant.bin"));
     test::expect_golden("image/annotate.json", annotation_json(annotate(image), image, "plant.bin"));
 }

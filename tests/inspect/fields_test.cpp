@@ -64,8 +64,8 @@ std::vector<std::uint32_t> values_outside(const Field& field) {
     if (field.range && field.range->maximum < largest) {
         values.insert(values.end(), {field.range->maximum + 1, largest});
     }
-    if (field.flags) {
-        return {4, 0x80};
+    if (!field.bits.empty()) {
+        return {0x06, 0x0F, 0x40, 0x80};
     }
     for (const NamedValue& value : field.values) {
         const bool next_is_named = &value != &field.values.back() && (&value)[1].value == value.value + 1;

@@ -18,9 +18,17 @@ inline base::Bytes image_of_sample(const std::string& name) {
     return emit::find_emitter("image")->emit(plant.value().view(), {});
 }
 
+// The configuration id is that of the model.
+inline base::Bytes image_by_hand(bool labels = true, const std::string& title = "") {
+    SamplePlant plant;
+    plant.settings.title = title.empty() ? plant.settings.title : title;
+    plant.configuration_id = parameter::configuration_id(plant.settings);
+    return plant.image(labels);
+}
+
 inline std::vector<base::Bytes> sample_images() {
     return {image_of_sample("genset.toml"), image_of_sample("minimal.toml"),
-            image_of_sample("manual-example.toml"), SamplePlant().image(), SamplePlant().image(false)};
+            image_of_sample("manual-example.toml"), image_by_hand(), image_by_hand(false)};
 }
 
 }  // namespace cgw::test

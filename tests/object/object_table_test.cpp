@@ -31,10 +31,10 @@ const std::vector<ObjectEntry> sample = {entry(0x1000, 0), entry(0x1018, 0), ent
                                          entry(0x1018, 4), entry(0x2000, 2), entry(0xFFFF, 255)};
 
 TEST(ObjectRecord, stands_byte_by_byte_as_documented) {
-    const ObjectEntry from{0x1A03, 0x04, DataType::unsigned32, Access::constant, flag_pdo_mappable, 0x1234,
+    const ObjectEntry from{0x1A03, 0x04, DataType::unsigned32, Access::constant, flag_sdo_read_only, 0x1234,
                            4,      7};
-    EXPECT_EQ(encode(from), (std::array<std::uint8_t, object_record_size>{
-                                0x03, 0x1A, 0x04, 0x07, 0x05, 0x01, 0x34, 0x12, 0x04, 0x07, 0x00, 0x00}));
+    EXPECT_EQ(encode(from),
+              (std::array<std::uint8_t, object_record_size>{0x03, 0x1A, 0x04, 0x07, 0x25, 0x07, 0x34, 0x12}));
 }
 
 TEST(ObjectRecord, comes_back_as_it_was) {

@@ -5,6 +5,7 @@
 
 #include "wire/crc32.hpp"
 #include "wire/little_endian.hpp"
+#include "wire/search.hpp"
 
 namespace cgw::wire {
 namespace {
@@ -72,6 +73,24 @@ TEST(LittleEndian, works_at_compile_time) {
     static_assert(load_u16(bytes) == 0x0201);
     static_assert(load_u32(bytes) == 0x04030201);
     SUCCEED();
+}
+
+TEST(Search, finds_a_value_where_it_is) {
+    constexpr std::array<std::uint8_t, 3> bytes = {3, 1, 2};
+    EXPECT_TRUE(contains(bytes, 3));
+    EXPECT_TRUE(contains(bytes, 2));
+    EXPECT_FALSE(contains(bytes, 0));
+    EXPECT_FALSE(contains(std::array<std::uint8_t, 0>{}, 0));
+}
+
+TEST(Search, sees_one_byte_that_is_not_zero) {
+    EXPECT_TRUE(all_zero(std::array<std::uint8_t, 0>{}));
+    for (std::size_t i = 0; i < 5; ++i) {
+        std::array<std::uint8_t, 5> bytes{};
+        EXPECT_TRUE(all_zero(bytes));
+        bytes[i] = 0x80;
+        EXPECT_FALSE(all_zero(bytes)) << i;
+    }
 }
 
 }  // namespace
