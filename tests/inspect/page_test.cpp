@@ -1,9 +1,10 @@
-// docs/image-format.md has the tables that the table of fields gives.
+// docs/image-format.md and schemas/config-image.ksy are those that the table of fields gives.
 #include "inspect/page.hpp"
 
 #include <gtest/gtest.h>
 
 #include "inspect/fields.hpp"
+#include "inspect/kaitai.hpp"
 #include "support/golden.hpp"
 
 namespace cgw::inspect {
@@ -17,6 +18,10 @@ std::string page() {
 
 TEST(ImagePage, has_the_tables_of_the_fields) {
     test::expect_golden(page_path, with_tables(page()));
+}
+
+TEST(KaitaiSpecification, is_the_one_in_schemas) {
+    test::expect_golden("../../schemas/config-image.ksy", kaitai_specification());
 }
 
 TEST(ImagePage, has_a_heading_for_every_record) {

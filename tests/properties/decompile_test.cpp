@@ -12,7 +12,7 @@
 namespace cgw::test {
 namespace {
 
-constexpr std::uint32_t plants = 60;
+constexpr std::uint32_t plants = 30;
 
 base::Bytes image_of(const driver::CheckedFile& file, bool labels) {
     const auto plant = driver::Plant::make(file);
@@ -109,7 +109,7 @@ main_cycle_us = 10000
 4406 = 1
 400 = 0.125
 980 = 0
-981 = -12.5
+981 = 12.5
 16400 = [2990, 2991, 2992, 2905]
 16460 = 100
 811 = -3
@@ -126,7 +126,7 @@ main_cycle_us = 10000
 identity = { software_version = 65535, serial_date = 9912, serial_number = 65535 }
 [[governor.declare]]
 number = 2990
-name = "With \"quotes\""
+name = "With-Marks_:./"
 kind = "measurement"
 unit = "m³"
 width = 8
