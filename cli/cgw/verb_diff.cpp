@@ -2,6 +2,7 @@
 
 #include <set>
 
+#include "cli/cgw/comparison_format.hpp"
 #include "cli/cgw/exit_codes.hpp"
 #include "cli/cgw/shared_options.hpp"
 #include "cli/cgw/terminal.hpp"
@@ -13,24 +14,6 @@
 
 namespace cgw::cli {
 namespace {
-
-struct Format {
-    Word word;
-    std::string (*render)(const compare::Comparison&, const compare::SideName&, const compare::SideName&);
-};
-
-constexpr Format formats[] = {
-    {{"text", "for people"}, compare::render_text},
-    {{"json", "one JSON document"}, compare::render_json},
-};
-
-std::vector<Word> diff_format_words() {
-    std::vector<Word> words;
-    for (const Format& format : formats) {
-        words.push_back(format.word);
-    }
-    return words;
-}
 
 constexpr Option diff_options[] = {
     {.names = "A",
@@ -48,11 +31,7 @@ constexpr Option diff_options[] = {
      .value = "PATH",
      .summary = "instead of B: table of the gateway as found",
      .completes = Completes::files},
-    {.names = "--format",
-     .value = "FORMAT",
-     .summary = "form of the report",
-     .default_value = "text",
-     .words = diff_format_words},
+    comparison_format_option,
     color_option,
 };
 
@@ -73,17 +52,6 @@ int report_invalid(const driver::CheckedFile& file, bool color) {
 
 compare::SideName name_of(const driver::CheckedFile& file) {
     return {{file.path}, driver::short_configuration_id(file.settings)};
-}
-
-int print_comparison(const Arguments& arguments, const compare::Comparison& comparison,
-                     const compare::SideName& a, const compare::SideName& b) {
-    const std::string name = arguments.value("--format");
-    for (const Format& format : formats) {
-        if (format.word.name == name && !print(format.render(comparison, a, b))) {
-            return exit_environment;
-        }
-    }
-    return comparison.same() ? exit_fine : exit_findings;
 }
 
 // A file with errors of reading does not say what it means; one whose plant would fail can be compared.

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <span>
 
+#include "authoring/declaration_text.hpp"
 #include "authoring/toml_text.hpp"
 #include "base/numbers.hpp"
 #include "config/numbers.hpp"
@@ -90,6 +91,15 @@ std::string table_text(Device device, std::span<const WrittenValue> values,
     return text;
 }
 
+std::string identity_text(const parameter::Identity& identity) {
+    if (identity.software_version == 0 && identity.serial_date == 0 && identity.serial_number == 0) {
+        return "";
+    }
+    return fmt::format(
+        "\n[gateway]\nidentity = {{ software_version = {}, serial_date = {}, serial_number = {} }}\n",
+        identity.software_version, identity.serial_date, identity.serial_number);
+}
+
 }  // namespace
 
 std::string parameter_file_text(const Draft& draft, const parameter::Catalogue& catalogue) {
@@ -99,9 +109,14 @@ std::string parameter_file_text(const Draft& draft, const parameter::Catalogue& 
     }
     text += fmt::format("format = {}\n", input::parameter_file_format);
     text += draft.title.empty() ? "" : fmt::format("title = {}\n", toml_string(draft.title));
-    text +=
-        draft.main_cycle_us ? fmt::format("\n[governor]\nmain_cycle_us = {}\n", *draft.main_cycle_us) : "";
+    // [[governor.declare]] must have [governor] before it.
+    text += draft.main_cycle_us || !draft.declarations.empty() ? "\n[governor]\n" : "";
+    text += draft.main_cycle_us ? fmt::format("main_cycle_us = {}\n", *draft.main_cycle_us) : "";
     text += table_text(Device::governor, draft.governor, catalogue);
+    for (const Row* row : draft.declarations) {
+        text += declaration_text(*row);
+    }
+    text += identity_text(draft.identity);
     text += table_text(Device::gateway, draft.gateway, catalogue);
     return text;
 }

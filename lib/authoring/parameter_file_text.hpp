@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "parameter/catalogue.hpp"
+#include "parameter/settings.hpp"
 
 namespace cgw::authoring {
 
@@ -16,10 +17,12 @@ struct WrittenValue {
 };
 
 struct Draft {
-    std::string title;                           // "": no title
-    std::optional<std::uint32_t> main_cycle_us;  // of the governor; none: the usual one
-    std::vector<std::string> remarks;            // lines of comment at the top, without '#'
-    std::vector<WrittenValue> governor;          // ascending by number
+    std::string title;                                // "": no title
+    std::optional<std::uint32_t> main_cycle_us;       // of the governor; none: the usual one
+    std::vector<std::string> remarks;                 // lines of comment at the top, without '#'
+    parameter::Identity identity;                     // all 0: left out
+    std::vector<const parameter::Row*> declarations;  // of the governor, by number
+    std::vector<WrittenValue> governor;               // ascending by number
     std::vector<WrittenValue> gateway;
 };
 

@@ -207,6 +207,11 @@ std::span<const std::uint8_t> Image::initial_values() const {
     return {values.data, values.size};
 }
 
+std::string_view Image::model() const {
+    const Records& text = records(SectionId::model);
+    return {reinterpret_cast<const char*>(text.data), text.size};
+}
+
 std::size_t Image::label_count() const {
     return records(SectionId::labels).count();
 }

@@ -32,6 +32,13 @@ enum class Status : std::uint8_t {
 
 std::string_view to_text(Status status);  // "the CRC-32 does not match", …
 
+// What Image::open() says, and where: for codes 9 to 13 the section that is missing or wrong, else none (0).
+struct Refusal {
+    Status status = Status::ok;
+    SectionId section{};
+};
+Refusal examine(std::span<const std::uint8_t> bytes);
+
 // The raw records of one section, for tools that show bytes; `at` needs position < count().
 struct Records {
     const std::uint8_t* data = nullptr;
@@ -158,6 +165,10 @@ class Image {
     std::size_t label_count() const;
     Label label(std::size_t position) const;
     bool find_label(std::uint16_t number, Label& label) const;
+
+    // The text whose SHA-256 is the configuration id (parameter/settings.hpp), for tools; "" where it is not
+    // there. Nothing in it is verified but that it lies inside the image.
+    std::string_view model() const;
 
     // Empty for an optional section that is not there.
     const Records& records(SectionId id) const { return sections_[static_cast<std::size_t>(id)]; }

@@ -55,8 +55,9 @@ enum class SectionId : std::uint16_t {
     signals = 10,
     labels = 11,   // optional
     strings = 12,  // optional, goes with labels
+    model = 13,    // optional, only where labels are: the text whose SHA-256 is the configuration id
 };
-inline constexpr std::size_t section_ids = 13;  // one more than the highest id
+inline constexpr std::size_t section_ids = 14;  // one more than the highest id
 
 namespace identity {  // one record: object 1018h
 inline constexpr std::size_t vendor = 0, product = 4, revision = 8, serial = 12, size = 16;  // u32 each
@@ -112,9 +113,18 @@ inline constexpr std::size_t size = 40;
 inline constexpr std::size_t count = 20;
 }  // namespace pdo
 
-// objects: the records of object/object_table.hpp (8 bytes), sorted by index and sub-index.
-// object_values: the value block at start; first all 4-byte values, then all 2-byte, then all 1-byte
-// values, each in the order of the object table, so that every value is aligned to its own size.
+// objects: the records of object/object_table.hpp, which reads and writes them, sorted by index and
+// sub-index. object_values: the value block at start; first all 4-byte values, then all 2-byte, then all
+// 1-byte values, each in the order of the object table, so that every value is aligned to its own size.
+namespace object_record {
+inline constexpr std::size_t index = 0;      // u16
+inline constexpr std::size_t sub_index = 2;  // u8
+inline constexpr std::size_t type = 3;       // u8
+inline constexpr std::size_t rights = 4;     // u8: access in bits 0..3, flags in bits 4..7
+inline constexpr std::size_t handler = 5;    // u8, 0
+inline constexpr std::size_t offset = 6;     // u16, of the value in the value block
+inline constexpr std::size_t size = 8;
+}  // namespace object_record
 
 namespace switch_function {                   // one record each, ascending number
 inline constexpr std::size_t number = 0;      // u16: 8nn

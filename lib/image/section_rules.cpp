@@ -21,6 +21,7 @@ constexpr SectionRule rules[] = {
     {SectionId::signals, signal::size, 0, true, true, false, Status::bad_section},
     {SectionId::labels, label::size, 0, false, true, false, Status::bad_label},
     {SectionId::strings, 1, 0, false, false, true, Status::bad_label},
+    {SectionId::model, 1, 0, false, false, true, Status::bad_section},
 };
 static_assert(std::size(rules) + 1 == section_ids);
 
@@ -81,10 +82,10 @@ constexpr FieldRule fields[] = {
     {SectionId::pdos, pdo::transmission_type, 1, facts::transmission_type, facts::transmission_type},
     {SectionId::pdos, pdo::cycles, 2, 0, 255},
 
-    {SectionId::objects, 0, 2, 0x1000, 0xFFFF},  // index
-    {SectionId::objects, 2, 1, 0, 254},          // sub-index
-    {SectionId::objects, 3, 1, 0x01, 0x07},      // data type
-    {SectionId::objects, 5, 1, 0, 0},            // handler: none is defined yet
+    {SectionId::objects, object_record::index, 2, 0x1000, 0xFFFF},
+    {SectionId::objects, object_record::sub_index, 1, 0, 254},
+    {SectionId::objects, object_record::type, 1, 0x01, 0x07},
+    {SectionId::objects, object_record::handler, 1, 0, 0},  // none is defined yet
 
     {SectionId::switches, switch_function::number, 2, 811, 849},
     {SectionId::switches, switch_function::bit, 1, 1, 16},

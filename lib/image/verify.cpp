@@ -9,11 +9,15 @@ namespace cgw::image {
 namespace {
 
 constexpr CrossCheck cross_checks[] = {
-    {buses_fit, Status::bad_section},        {heartbeats_fit, Status::bad_section},
-    {objects_fit, Status::bad_object_table}, {pdos_fit, Status::bad_section},
-    {mappings_fit, Status::bad_mapping},     {identifiers_fit, Status::bad_section},
-    {signals_fit, Status::bad_section},      {inputs_fit, Status::bad_section},
-    {labels_fit, Status::bad_label},
+    {buses_fit, Status::bad_section, SectionId::buses},
+    {heartbeats_fit, Status::bad_section, SectionId::heartbeat},
+    {objects_fit, Status::bad_object_table, SectionId::objects},
+    {pdos_fit, Status::bad_section, SectionId::pdos},
+    {mappings_fit, Status::bad_mapping, SectionId::pdos},
+    {identifiers_fit, Status::bad_section, SectionId::pdos},
+    {signals_fit, Status::bad_section, SectionId::signals},
+    {inputs_fit, Status::bad_section, SectionId::switches},
+    {labels_fit, Status::bad_label, SectionId::labels},
 };
 
 constexpr std::size_t align_up(std::size_t offset) {
@@ -38,6 +42,7 @@ class Verifier {
     }
 
     const Image& image() const { return image_; }
+    SectionId section() const { return section_; }  // that the last step looked at; none before sections
 
   private:
     Status check_header();
@@ -53,6 +58,7 @@ class Verifier {
     Image image_;
     std::uint16_t header_size_ = 0;
     std::uint16_t section_count_ = 0;
+    SectionId section_{};
 };
 
 Status Verifier::check_header() {
@@ -140,28 +146,38 @@ Status Verifier::check_entry(const std::uint8_t* entry, std::size_t& end) {
 
 Status Verifier::check_presence() {
     for (const SectionRule& rule : section_rules()) {
+        section_ = rule.id;
         if (rule.required && image_.records(rule.id).data == nullptr) {
             return Status::section_missing;
         }
     }
     const bool labels = image_.records(SectionId::labels).data != nullptr;
     const bool strings = image_.records(SectionId::strings).data != nullptr;
-    return labels == strings ? Status::ok : Status::section_missing;
+    const bool model = image_.records(SectionId::model).data != nullptr;
+    return labels == strings && (labels || !model) ? Status::ok : Status::section_missing;
 }
 
 Status Verifier::check_sections() {
     for (const SectionRule& rule : section_rules()) {
+        section_ = rule.id;
         const Status status = check_fields(image_, rule);
         if (status != Status::ok) {
             return status;
         }
     }
     for (const CrossCheck& check : cross_checks) {
+        section_ = check.section;
         if (!check.holds(image_)) {
             return check.status;
         }
     }
     return Status::ok;
+}
+
+Refusal examine(std::span<const std::uint8_t> bytes) {
+    Verifier verifier(bytes);
+    const Status status = verifier.run();
+    return {status, status == Status::ok ? SectionId{} : verifier.section()};
 }
 
 Status Image::open(std::span<const std::uint8_t> bytes, Image& image) {

@@ -30,6 +30,7 @@ Status check_fields(const Image& image, const SectionRule& rule);
 struct CrossCheck {
     bool (*holds)(const Image& image);
     Status status;
+    SectionId section;  // the one to look at when it does not hold
 };
 
 bool buses_fit(const Image& image);        // HEINZMANN nodes crossed, bit rates equal, node numbers

@@ -100,8 +100,13 @@ base::Bytes write_image(const Source& source) {
         LabelSections labels = label_sections(source);
         sections.push_back(std::move(labels.labels));
         sections.push_back(std::move(labels.strings));
+        sections.push_back(model_section(source));
     }
     base::Bytes bytes = assemble(sections, source);
+    if (source.labels && bytes.size() > image::maximum_size) {
+        sections.pop_back();  // the model serves tools only
+        bytes = assemble(sections, source);
+    }
     image::Image verified;
     const image::Status status = image::Image::open(bytes, verified);
     if (status != image::Status::ok) {

@@ -18,7 +18,7 @@ struct Source {
     const dictionary::Dictionary& dictionary;
     std::array<std::uint8_t, 32> configuration_id{};
     std::array<std::uint16_t, 3> tool_version{};
-    bool labels = true;
+    bool labels = true;  // and the model, where the image still has room for it
 };
 
 // The settings must have passed every check. What was written is verified by the reader before it is

@@ -1,4 +1,4 @@
-// Names, units and engineering ranges for displays.
+// Names, units and engineering ranges for displays, and the canonical model for tools.
 #include <map>
 #include <optional>
 #include <string>
@@ -80,6 +80,10 @@ LabelSections label_sections(const Source& source) {
     }
     sections.strings.bytes = strings.take();
     return sections;
+}
+
+Section model_section(const Source& source) {
+    return {image::SectionId::model, 1, base::to_bytes(parameter::canonical_text(source.settings))};
 }
 
 }  // namespace cgw::image_writer

@@ -57,6 +57,9 @@ struct LabelSections {
 };
 LabelSections label_sections(const Source& source);
 
+// The canonical model: what the configuration id is the SHA-256 of.
+Section model_section(const Source& source);
+
 // Parameters that a TPDO word or a sensor carries, ascending number, each once.
 std::vector<const parameter::Row*> carried_parameters(const config::Configuration& configuration);
 

@@ -412,7 +412,7 @@ class Usage(Verb):
     def test_mistakes_are_exit_2_and_go_to_stderr(self):
         self.assert_usage("did you mean 'check'?", "chek", GENSET)
         self.assert_usage("a verb is missing", *[])
-        self.assert_usage("cgw image needs one of verify, inspect, embed", "image")
+        self.assert_usage("cgw image needs one of verify, inspect, annotate, diff, decompile, embed", "image")
         self.assert_usage("did you mean 'image verify'?", "image", "verfy", "x")
         self.assert_usage("cgw check has no option --bogus", "check", "--bogus", GENSET)
         self.assert_usage("cgw check has no option -x", "check", "-x")

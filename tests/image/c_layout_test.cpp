@@ -105,6 +105,7 @@ SAME(CGW_IMAGE_SENSORS, SectionId::sensors);
 SAME(CGW_IMAGE_SIGNALS, SectionId::signals);
 SAME(CGW_IMAGE_LABELS, SectionId::labels);
 SAME(CGW_IMAGE_STRINGS, SectionId::strings);
+SAME(CGW_IMAGE_MODEL, SectionId::model);
 SAME(CGW_IMAGE_SECTION_IDS, section_ids);
 
 SAME(CGW_IMAGE_OK, Status::ok);

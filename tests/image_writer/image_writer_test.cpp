@@ -36,7 +36,7 @@ TEST(ImageWriter, writes_the_same_bytes_for_the_same_configuration) {
 TEST(ImageWriter, writes_the_header_of_the_layout) {
     const base::Bytes bytes = SamplePlant().image();
     EXPECT_EQ(std::string(bytes.begin(), bytes.begin() + 4), "CGWI");
-    EXPECT_EQ(wire::load_u16(&bytes[image::header::section_count]), 12);
+    EXPECT_EQ(wire::load_u16(&bytes[image::header::section_count]), 13);
     EXPECT_EQ(wire::load_u32(&bytes[image::header::total_size]), bytes.size());
     EXPECT_EQ(bytes[image::header::configuration_id], 0xA0);
     EXPECT_EQ(bytes.size() % 4, 0U);
@@ -149,6 +149,26 @@ TEST(ImageWriter, cuts_a_long_title_at_a_whole_character) {
     EXPECT_EQ(Opened(plant.image()).label(0).name, std::string(254, 'x'));
     plant.settings.title = std::string(253, 'x') + "ü" + "y";
     EXPECT_EQ(Opened(plant.image()).label(0).name, std::string(253, 'x') + "ü");
+}
+
+TEST(ImageWriter, keeps_the_canonical_model_with_the_labels) {
+    const SamplePlant plant;
+    const base::Bytes labelled = plant.image();
+    const base::Bytes bare = plant.image(false);
+    EXPECT_EQ(Opened(labelled).image.model(), parameter::canonical_text(plant.settings));
+    EXPECT_EQ(Opened(bare).image.model(), "");
+}
+
+TEST(ImageWriter, leaves_out_a_model_that_would_make_the_image_too_large) {
+    SamplePlant plant;
+    plant.settings.title =
+        std::string(image::maximum_size - plant.image().size() + plant.settings.title.size(), 'x');
+    const base::Bytes fits_or_not = plant.image();
+    EXPECT_LE(fits_or_not.size(), image::maximum_size);
+    plant.settings.title += std::string(1000, 'x');
+    const base::Bytes image = plant.image();
+    EXPECT_EQ(Opened(image).image.model(), "");
+    EXPECT_EQ(Opened(image).label(2000).name, "Speed");
 }
 
 TEST(ImageWriter, never_hands_out_an_image_that_the_reader_refuses) {

@@ -154,7 +154,8 @@ enum cgw_image_section {
     CGW_IMAGE_SIGNALS = 10,
     CGW_IMAGE_LABELS = 11, /* may be missing, with the strings */
     CGW_IMAGE_STRINGS = 12,
-    CGW_IMAGE_SECTION_IDS = 13
+    CGW_IMAGE_MODEL = 13, /* may be missing; only where labels are */
+    CGW_IMAGE_SECTION_IDS = 14
 };
 
 typedef struct {
@@ -357,6 +358,7 @@ static inline cgw_image_rule cgw_image_rule_of(unsigned id) {
         {CGW_IMAGE_SENSOR_SIZE, 0, 1, 0},
         {CGW_IMAGE_SIGNAL_SIZE, 0, 1, 0},
         {CGW_IMAGE_LABEL_SIZE, 0, 0, 0},
+        {1, 0, 0, 1},
         {1, 0, 0, 1}};
     return rules[id];
 }
@@ -408,16 +410,16 @@ static inline unsigned cgw_image_check_directory(cgw_image* image) {
 }
 
 static inline unsigned cgw_image_check_presence(const cgw_image* image) {
+    const int labels = image->sections[CGW_IMAGE_LABELS].data != NULL;
+    const int strings = image->sections[CGW_IMAGE_STRINGS].data != NULL;
+    const int model = image->sections[CGW_IMAGE_MODEL].data != NULL;
     unsigned id;
     for (id = 1; id < CGW_IMAGE_SECTION_IDS; ++id) {
         if (cgw_image_rule_of(id).required && image->sections[id].data == NULL) {
             return CGW_IMAGE_SECTION_MISSING;
         }
     }
-    return (image->sections[CGW_IMAGE_LABELS].data == NULL) ==
-                   (image->sections[CGW_IMAGE_STRINGS].data == NULL)
-               ? CGW_IMAGE_OK
-               : CGW_IMAGE_SECTION_MISSING;
+    return labels == strings && (labels || !model) ? CGW_IMAGE_OK : CGW_IMAGE_SECTION_MISSING;
 }
 
 /* Number of records; 0 for a section that is not there. */

@@ -1,0 +1,155 @@
+#include "authoring/from_image.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "authoring/image_draft.hpp"
+#include "base/sha256.hpp"
+#include "catalogue/catalogue.hpp"
+#include "facts/gateway.hpp"
+#include "parameter/value_text.hpp"
+
+namespace cgw::authoring {
+namespace {
+
+using parameter::CanonicalRow;
+using parameter::Device;
+using parameter::Row;
+
+// A declaration adds measurements, switches and sensors of the governor, and fills blanks of what ships.
+bool can_be_declared(const CanonicalRow& row, const parameter::Catalogue& shipped) {
+    if (row.device != Device::governor) {
+        return false;
+    }
+    return row.list == parameter::List::measurement || row.role != parameter::Role::none ||
+           shipped.find(row.device, row.number) != nullptr;
+}
+
+std::string numbers_text(std::vector<std::string> numbers) {
+    constexpr std::size_t shown = 8;
+    const std::size_t more = numbers.size() > shown ? numbers.size() - shown : 0;
+    numbers.resize(numbers.size() - more);
+    return fmt::format("{}{}", fmt::join(numbers, ", "), more != 0 ? fmt::format(" and {} more", more) : "");
+}
+
+void draft_model(const parameter::CanonicalModel& model, ImageDraft& to) {
+    to.draft.title = model.title;
+    to.draft.identity = model.identity;
+    if (model.main_cycle_us != facts::usual_governor_main_cycle_us) {
+        to.draft.main_cycle_us = model.main_cycle_us;
+    }
+    std::vector<std::string> rows;
+    for (const CanonicalRow& row : model.rows) {
+        if (can_be_declared(row, to.catalogue())) {
+            to.declare(row);
+        } else {
+            rows.push_back(fmt::format("{} {}", parameter::to_text(row.device), row.number));
+        }
+    }
+    if (!rows.empty()) {
+        to.lost.push_back(fmt::format("rows of a catalogue file, which no declaration can say: {}",
+                                      numbers_text(std::move(rows))));
+    }
+    std::vector<std::string> values;
+    for (const parameter::CanonicalValue& value : model.values) {
+        if (!to.set(value.device, value.number, value.value)) {
+            values.push_back(fmt::format("{} {}", parameter::to_text(value.device), value.number));
+        }
+    }
+    if (!values.empty()) {
+        to.lost.push_back(fmt::format("values of parameters that only a catalogue file knows: {}",
+                                      numbers_text(std::move(values))));
+    }
+}
+
+}  // namespace
+
+ImageDraft::ImageDraft() : catalogue_(catalogue::shipped_rows()) {}
+
+void ImageDraft::declare(CanonicalRow row) {
+    const CanonicalRow& kept = rows_.emplace_back(std::move(row));
+    const Row* known = catalogue_.find(kept.device, kept.number);
+    Row merged = known != nullptr ? *known : kept.row();
+    if (known != nullptr) {
+        merged.name = kept.name;
+        merged.unit = kept.unit;
+        merged.width = kept.width;
+        merged.is_signed = kept.is_signed;
+        merged.scaling = kept.scaling;
+    }
+    draft.declarations.push_back(catalogue_.put(merged));
+}
+
+bool ImageDraft::set(Device device, std::uint16_t number, double value) {
+    const Row* row = catalogue_.find(device, number);
+    const bool settable = row != nullptr && row->settable();
+    return value == 0 ? settable : assign(device, number, value);
+}
+
+bool ImageDraft::assign(Device device, std::uint16_t number, double value) {
+    const Row* row = catalogue_.find(device, number);
+    if (row == nullptr || !row->settable()) {
+        return false;
+    }
+    (device == Device::governor ? governor_ : gateway_)[number] = {row, parameter::value_text(*row, value)};
+    return true;
+}
+
+void ImageDraft::set_references(const Row& row, const image::Label& label) {
+    if (!row.scaling || !label.has_scaling) {
+        return;
+    }
+    const std::pair<std::uint16_t, double> ends[] = {
+        {row.scaling->external_minimum_parameter, label.external_minimum},
+        {row.scaling->external_maximum_parameter, label.external_maximum}};
+    for (const auto& [number, value] : ends) {
+        if (number != 0) {
+            assign(Device::governor, number, value);
+        }
+    }
+}
+
+std::string ImageDraft::text() {
+    for (const auto& [number, value] : governor_) {
+        draft.governor.push_back(value);
+    }
+    for (const auto& [number, value] : gateway_) {
+        draft.gateway.push_back(value);
+    }
+    return parameter_file_text(draft, catalogue_);
+}
+
+bool model_fits(const image::Image& image) {
+    const image::Records& model = image.records(image::SectionId::model);
+    const base::Sha256 digest = base::sha256({model.data, model.size});
+    const std::span<const std::uint8_t> stated = image.configuration_id();
+    return model.data == nullptr || std::equal(stated.begin(), stated.end(), digest.begin());
+}
+
+FileFromImage file_from_image(const image::Image& image, const std::vector<std::string>& remarks,
+                              Basis basis) {
+    FileFromImage file;
+    ImageDraft draft;
+    draft.draft.remarks = remarks;
+    draft.reads_labels = basis != Basis::bare;
+    const auto model = parameter::read_canonical_text(image.model());
+    file.has_model = basis == Basis::model && model.has_value() && model_fits(image);
+    if (file.has_model) {
+        draft_model(*model, draft);
+        for (std::size_t i = 0; i < image.label_count(); ++i) {
+            const image::Label label = image.label(i);
+            const Row* row = draft.catalogue().find(Device::governor, label.number);
+            if (row != nullptr) {
+                draft.set_references(*row, label);
+            }
+        }
+    } else {
+        draft_sections(image, draft);
+    }
+    file.text = draft.text();
+    file.lost = std::move(draft.lost);
+    return file;
+}
+
+}  // namespace cgw::authoring
