@@ -9,9 +9,8 @@
 #include "base/json.hpp"
 #include "base/utf8.hpp"
 #include "cli/cgw/terminal.hpp"
-#include "facts/gateway.hpp"
-#include "scenario/commentary.hpp"
 #include "scenario/names.hpp"
+#include "simulation/engine_state_word.hpp"
 #include "simulation/text.hpp"
 
 namespace cgw::cli {
@@ -40,7 +39,7 @@ std::string head_line(simulation::Installation& installation, std::string_view s
     const auto time = static_cast<double>(installation.now()) / 1e6;
     return padded(fmt::format("-- {:.1f} s, speed {} -- gateway {} -- engine {} ", time, speed,
                               simulation::to_text(plant.gateway().state()),
-                              scenario::engine_text(plant.governor().engine().state())),
+                              simulation::engine_text(plant.governor().engine().state())),
                   columns, '-');
 }
 
@@ -59,21 +58,30 @@ std::string bus_line(simulation::Installation& installation, const BusLoads& loa
                        bus("CAN2", plant.can2().connected(), loads.can2()));
 }
 
-std::string error_line(simulation::Installation& installation) {
-    std::vector<std::string> errors;
-    const auto append = [&errors](unsigned word, unsigned first) {
-        for (unsigned bit = 0; bit < facts::word_bits; ++bit) {
-            if (((word >> bit) & 1U) != 0) {
-                errors.push_back(scenario::error_text(static_cast<std::uint16_t>(first + bit)));
-            }
-        }
-    };
-    append(installation.plant().gateway().errors().canopen_errors(), facts::first_canopen_error);
-    const auto words = installation.error_words();
-    for (unsigned i = 0; i < words.size(); ++i) {
-        append(words[i], facts::error_number(i * facts::word_bits));
+std::string list_text(const std::vector<std::string>& texts) {
+    return texts.empty() ? "none" : fmt::format("{}", fmt::join(texts, ", "));
+}
+
+std::string alarm_line(simulation::Installation& installation) {
+    const simulation::EngineAlarms& alarms = installation.plant().governor().alarms();
+    std::vector<std::string> texts;
+    if (alarms.emergency_stop()) {
+        texts.emplace_back("emergency stop");
     }
-    return fmt::format("errors  {}", errors.empty() ? "none" : fmt::format("{}", fmt::join(errors, ", ")));
+    for (const simulation::AlarmRow& row : simulation::alarm_rows()) {
+        if (alarms.present(row.alarm)) {
+            texts.emplace_back(row.text);
+        }
+    }
+    return fmt::format("alarms  {}", list_text(texts));
+}
+
+std::string error_line(simulation::Installation& installation) {
+    std::vector<std::string> texts;
+    for (const std::uint16_t number : installation.error_numbers()) {
+        texts.push_back(scenario::error_text(number));
+    }
+    return fmt::format("errors  {}", list_text(texts));
 }
 
 // The words of the transmit PDOs as the PLC received them, two in a line.
@@ -144,7 +152,8 @@ void BusLoads::look(simulation::Plant& plant) {
 std::vector<std::string> live_block(simulation::Installation& installation, const BusLoads& loads,
                                     std::string_view speed, std::size_t columns, std::size_t rows) {
     std::vector<std::string> block{head_line(installation, speed, columns), engine_line(installation),
-                                   bus_line(installation, loads), error_line(installation)};
+                                   bus_line(installation, loads), alarm_line(installation),
+                                   error_line(installation)};
     for (std::string& line : word_lines(installation)) {
         block.push_back(std::move(line));
     }

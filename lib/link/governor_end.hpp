@@ -17,6 +17,8 @@ class GovernorListener {
   public:
     virtual void gateway_status(const device::GatewayStatus& status) = 0;
     virtual void process_data(std::uint8_t rpdo, const device::PdoWords& words) = 0;
+    // "Clear errors" at the gateway.
+    virtual void errors_cleared() {}
 
   protected:
     ~GovernorListener() = default;

@@ -60,6 +60,7 @@ void GovernorEnd::hear_boot(std::uint8_t boot, std::uint8_t clearings) {
         failed_attempts_ = 0;
     } else if (heard_ && clearings != gateway_clearings_) {
         allow_attempts();
+        listener_->errors_cleared();
     }
     gateway_boot_ = boot;
     gateway_clearings_ = clearings;

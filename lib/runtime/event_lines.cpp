@@ -7,6 +7,7 @@
 
 #include "device/gateway_errors.hpp"
 #include "runtime/measurements.hpp"
+#include "simulation/error_numbers.hpp"
 #include "simulation/text.hpp"
 
 namespace cgw::runtime {
@@ -22,17 +23,8 @@ bool repeats_own_error(std::uint16_t canopen_error) {
 
 std::set<std::uint16_t> numbers_of(const device::GatewayStatus& status) {
     std::set<std::uint16_t> numbers;
-    for (unsigned bit = 0; bit < facts::error_bits; ++bit) {
-        const unsigned word = status.errors[bit / facts::word_bits];
-        const std::uint16_t number = facts::error_number(bit);
-        if (((word >> (bit % facts::word_bits)) & 1U) != 0 &&
-            number != device::GatewayErrors::can_open_error) {
-            numbers.insert(number);
-        }
-    }
-    for (std::uint16_t number = facts::first_canopen_error; number <= facts::last_canopen_error; ++number) {
-        const unsigned bit = number - unsigned{facts::first_canopen_error};
-        if (((unsigned{status.canopen_errors} >> bit) & 1U) != 0 && !repeats_own_error(number)) {
+    for (const std::uint16_t number : simulation::error_numbers(status.canopen_errors, status.errors)) {
+        if (number != device::GatewayErrors::can_open_error && !repeats_own_error(number)) {
             numbers.insert(number);
         }
     }

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <variant>
 #include <vector>
 
 #include "base/canopen_text.hpp"
@@ -97,7 +98,7 @@ Outcome asked(Run& run, const Step& step, bool taken, std::string_view verb) {
 Outcome set_fault(Run& run, const Step& step, bool present) {
     const simulation::NamedFault& fault =
         simulation::named_faults()[static_cast<std::size_t>(step.subject().integer)];
-    plant_of(run).plant().report(fault.fault, present);
+    std::visit([&](auto cause) { plant_of(run).plant().report(cause, present); }, fault.cause);
     return {fmt::format("fault {} {}", fault.name, present ? "appears" : "is gone")};
 }
 

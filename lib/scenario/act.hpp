@@ -34,6 +34,9 @@ Outcome expect_error(Run& run, const Step& step);
 Outcome expect_no_error(Run& run, const Step& step);
 Outcome expect_word(Run& run, const Step& step);
 Outcome expect_engine(Run& run, const Step& step);
+Outcome expect_alarm(Run& run, const Step& step);
+Outcome expect_no_alarm(Run& run, const Step& step);
+Outcome expect_status(Run& run, const Step& step);
 Outcome expect_tpdo(Run& run, const Step& step);
 Outcome expect_no_tpdo(Run& run, const Step& step);
 Outcome expect_heartbeat(Run& run, const Step& step);
@@ -44,6 +47,7 @@ Outcome expect_abort(Run& run, const Step& step);
 // Mistakes
 std::string sensor_cannot_be(const image::Image& image, const Step& step);
 std::string range_is_empty(const image::Image& image, const Step& step);
+std::string status_not_sent(const image::Image& image, const Step& step);
 std::string value_too_long(const image::Image& image, const Step& step);
 
 // Words; what they stand for is the same position of the list in act.cpp or expect.cpp.
@@ -56,5 +60,8 @@ std::span<const Word> fault_words();
 std::span<const Word> state_words();
 std::span<const Word> node_state_words();
 std::span<const Word> engine_words();
+std::span<const Word> alarm_words();         // in the order of the table
+std::span<const Word> alarm_or_any_words();  // and "any"
+std::span<const Word> status_words();
 
 }  // namespace cgw::scenario

@@ -2,17 +2,31 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <iterator>
+
 #include "base/abort_codes.hpp"
 #include "base/canopen_text.hpp"
 #include "facts/gateway.hpp"
 #include "scenario/names.hpp"
+#include "simulation/engine_state_word.hpp"
 #include "simulation/text.hpp"
 
 namespace cgw::scenario {
 namespace {
 
-constexpr std::string_view kind_texts[] = {"boot-up", "nmt",    "state",  "error", "monitor",
-                                           "link",    "engine", "answer", "step",  "expect"};
+constexpr std::string_view kind_texts[] = {"boot-up", "nmt",   "state",  "error", "monitor", "link",
+                                           "engine",  "alarm", "answer", "step",  "expect"};
+
+// What `numbers` has and `others` has not.
+std::vector<std::uint16_t> missing_in(const std::vector<std::uint16_t>& others,
+                                      const std::vector<std::uint16_t>& numbers) {
+    std::vector<std::uint16_t> missing;
+    std::copy_if(numbers.begin(), numbers.end(), std::back_inserter(missing), [&](std::uint16_t number) {
+        return std::find(others.begin(), others.end(), number) == others.end();
+    });
+    return missing;
+}
 
 }  // namespace
 
@@ -32,17 +46,10 @@ std::string line_of(const Event& event) {
                                simulation::line_width);
 }
 
-std::string_view engine_text(const simulation::EngineState& engine) {
-    if (engine.running()) {
-        return "runs";
-    }
-    return engine.standing() ? "stands" : "starts";
-}
-
 Commentary::Commentary(simulation::Installation& installation, EventListener listener)
     : installation_(&installation),
       listener_(std::move(listener)),
-      engine_(engine_text(installation.plant().governor().engine().state())) {
+      engine_(simulation::engine_text(installation.plant().governor().engine().state())) {
     installation.plant().can2().attach_clock(*this);
     installation.plant().can2().observe(
         [this](const frame::Frame& frame, Time /*now*/) { watch_commands(frame); });
@@ -59,6 +66,7 @@ Time Commentary::poll(Time /*now*/) {
     watch_monitors();
     watch_errors();
     watch_engine();
+    watch_alarms();
     watch_answer();
     return canopen::never;
 }
@@ -90,26 +98,13 @@ void Commentary::watch_state() {
 }
 
 void Commentary::watch_errors() {
-    std::vector<std::uint16_t> coming;
-    std::vector<std::uint16_t> going;
-    const auto compare = [&](unsigned before, unsigned now, unsigned first) {
-        for (unsigned bit = 0; bit < facts::word_bits; ++bit) {
-            if ((((before ^ now) >> bit) & 1U) != 0) {
-                std::vector<std::uint16_t>& list = ((now >> bit) & 1U) != 0 ? coming : going;
-                list.push_back(static_cast<std::uint16_t>(first + bit));
-            }
-        }
-    };
-    const std::uint16_t canopen_errors = installation_->plant().gateway().errors().canopen_errors();
-    compare(canopen_errors_, canopen_errors, facts::first_canopen_error);
-    canopen_errors_ = canopen_errors;
-    const Words words = installation_->error_words();
-    for (unsigned i = 0; i < words.size(); ++i) {
-        compare(errors_[i], words[i], facts::error_number(i * facts::word_bits));
+    const std::vector<std::uint16_t> now = installation_->error_numbers();
+    if (now == errors_) {
+        return;
     }
-    errors_ = words;
-    tell_errors(coming, true);
-    tell_errors(going, false);
+    tell_errors(missing_in(errors_, now), true);
+    tell_errors(missing_in(now, errors_), false);
+    errors_ = now;
 }
 
 // As many in a line as it holds.
@@ -178,11 +173,30 @@ void Commentary::watch_link() {
 }
 
 void Commentary::watch_engine() {
-    const std::string_view engine = engine_text(installation_->plant().governor().engine().state());
+    const std::string_view engine =
+        simulation::engine_text(installation_->plant().governor().engine().state());
     if (engine != engine_) {
         engine_ = engine;
         tell(EventKind::engine, std::string(engine));
     }
+}
+
+void Commentary::watch_alarms() {
+    const simulation::SimulatedGovernor& governor = installation_->plant().governor();
+    for (const simulation::AlarmRow& row : simulation::alarm_rows()) {
+        const bool now = governor.alarms().present(row.alarm);
+        if (now != alarms_.present(row.alarm)) {
+            tell(EventKind::alarm,
+                 fmt::format("{} {}, at {:.{}f} {}", row.text, now ? "comes" : "goes",
+                             row.value(governor.engine().state()), row.decimals, row.unit),
+                 now);
+        }
+    }
+    if (governor.alarms().emergency_stop() != alarms_.emergency_stop()) {
+        const bool now = governor.alarms().emergency_stop();
+        tell(EventKind::alarm, fmt::format("emergency stop {}", now ? "comes" : "goes"), now);
+    }
+    alarms_ = governor.alarms();
 }
 
 void Commentary::watch_answer() {

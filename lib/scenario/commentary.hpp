@@ -2,7 +2,6 @@
 // microsecond, since it is asked at every event on the buses.
 #pragma once
 
-#include <array>
 #include <string>
 #include <vector>
 
@@ -25,8 +24,6 @@ class Commentary final : public simulation::Participant {
     void tell(EventKind kind, std::string text, bool bad = false) const;
 
   private:
-    using Words = std::array<std::uint16_t, device::error_words>;
-
     void watch_commands(const frame::Frame& frame);
     void watch_boot_ups();
     void watch_state();
@@ -35,24 +32,22 @@ class Commentary final : public simulation::Participant {
     void watch_monitors();
     void watch_link();
     void watch_engine();
+    void watch_alarms();
     void watch_answer();
 
     simulation::Installation* installation_;
     EventListener listener_;
     std::size_t boot_ups_ = 0;
     device::GatewayState state_ = device::GatewayState::undefined;
-    Words errors_{};
-    std::uint16_t canopen_errors_ = 0;
+    std::vector<std::uint16_t> errors_;
     std::uint8_t late_rpdos_ = 0;
     bool heartbeat_lost_ = false;
     link::GovernorEnd::Phase phase_ = link::GovernorEnd::Phase::searching;
     unsigned failed_attempts_ = 0;
     std::string_view engine_;
+    simulation::EngineAlarms alarms_;
     canopen::SdoClient::Status sdo_ = canopen::SdoClient::Status::idle;
     std::string object_;
 };
-
-// What the engine does, in a word or two: "stands", "starts", "runs".
-std::string_view engine_text(const simulation::EngineState& engine);
 
 }  // namespace cgw::scenario

@@ -19,7 +19,8 @@ enum class EventKind : std::uint8_t {
     error,     // comes or goes
     monitor,   // an RPDO or the heartbeat is late, or in time again
     link,      // the governor was refused
-    engine,    // starts, runs, stands
+    engine,    // starts, runs, runs down, stands
+    alarm,     // of the engine, comes or goes
     answer,    // to an SDO request of the PLC
     step,      // of the scenario
     expected,  // an expectation, met or not

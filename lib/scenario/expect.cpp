@@ -7,8 +7,8 @@
 #include "base/numbers.hpp"
 #include "facts/gateway.hpp"
 #include "scenario/act.hpp"
-#include "scenario/engine_values.hpp"
 #include "scenario/names.hpp"
+#include "scenario/range.hpp"
 #include "scenario/run.hpp"
 #include "simulation/scaling.hpp"
 #include "simulation/text.hpp"
@@ -36,20 +36,7 @@ simulation::Installation& plant_of(Run& run) {
 }
 
 std::vector<std::uint16_t> errors_of(Run& run) {
-    std::vector<std::uint16_t> errors;
-    const auto append = [&errors](unsigned word, unsigned first) {
-        for (unsigned bit = 0; bit < facts::word_bits; ++bit) {
-            if (((word >> bit) & 1U) != 0) {
-                errors.push_back(static_cast<std::uint16_t>(first + bit));
-            }
-        }
-    };
-    append(plant_of(run).plant().gateway().errors().canopen_errors(), facts::first_canopen_error);
-    const auto words = plant_of(run).error_words();
-    for (unsigned i = 0; i < words.size(); ++i) {
-        append(words[i], facts::error_number(i * facts::word_bits));
-    }
-    return errors;
+    return plant_of(run).error_numbers();
 }
 
 std::string error_list(const std::vector<std::uint16_t>& errors) {
@@ -61,22 +48,6 @@ std::string error_list(const std::vector<std::uint16_t>& errors) {
 bool shows(Run& run, std::int64_t error) {
     const std::vector<std::uint16_t> errors = errors_of(run);
     return std::find(errors.begin(), errors.end(), error) != errors.end();
-}
-
-// "at least 3", "3..5", with the unit
-std::string range_text(const Step& step, std::string_view unit) {
-    const Value& least = step.values[1];
-    const Value& greatest = step.values[2];
-    std::string text = least.given && greatest.given ? fmt::format("{}..{}", base::to_text(least.number),
-                                                                   base::to_text(greatest.number))
-                       : least.given                 ? fmt::format("at least {}", base::to_text(least.number))
-                                     : fmt::format("at most {}", base::to_text(greatest.number));
-    return unit.empty() ? text : fmt::format("{} {}", text, unit);
-}
-
-bool in_range(const Step& step, double value) {
-    return (!step.values[1].given || value >= step.values[1].number) &&
-           (!step.values[2].given || value <= step.values[2].number);
 }
 
 std::string within_text(const Step& step) {
@@ -164,13 +135,6 @@ Outcome expect_word(Run& run, const Step& step) {
     return outcome;
 }
 
-Outcome expect_engine(Run& run, const Step& step) {
-    const EngineValue& row = engine_values()[static_cast<std::size_t>(step.subject().integer)];
-    const double value = row.value(plant_of(run).plant().governor().engine().state());
-    return {fmt::format("engine {} {}", row.name, range_text(step, row.unit)), in_range(step, value),
-            fmt::format("it is {:.{}f} {}", value, row.decimals, row.unit)};
-}
-
 Outcome expect_tpdo(Run& run, const Step& step) {
     const auto last = last_tpdo(run, step);
     return {fmt::format("TPDO{} {}", step.subject().integer, within_text(step)),
@@ -219,18 +183,6 @@ Outcome expect_abort(Run& run, const Step& step) {
             sdo.status() == SdoStatus::aborted &&
                 static_cast<std::int64_t>(sdo.abort_code()) == step.subject().integer,
             answer_text(sdo)};
-}
-
-std::string range_is_empty(const image::Image&, const Step& step) {
-    const Value& least = step.values[1];
-    const Value& greatest = step.values[2];
-    if (!least.given && !greatest.given) {
-        return "give `min`, `max` or both";
-    }
-    return least.given && greatest.given && least.number > greatest.number
-               ? fmt::format("`min` {} is greater than `max` {}", base::to_text(least.number),
-                             base::to_text(greatest.number))
-               : "";
 }
 
 }  // namespace cgw::scenario

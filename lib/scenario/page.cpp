@@ -4,6 +4,7 @@
 #include "base/numbers.hpp"
 #include "base/text_cells.hpp"
 #include "scenario/actions.hpp"
+#include "simulation/alarms.hpp"
 
 namespace cgw::scenario {
 namespace {
@@ -123,6 +124,21 @@ std::string word_list(std::string_view action_name) {
     return list + '\n';
 }
 
+std::string alarm_table() {
+    std::string table =
+        "| alarm | meaning | rises | cause gone | stops the engine |\n| --- | --- | --- | --- | --- |\n";
+    for (const simulation::AlarmRow& row : simulation::alarm_rows()) {
+        const bool below = row.side == simulation::Side::below;
+        table += fmt::format(
+            "| {} | {} | {} {} {}{} | at {} {} | {} |\n", code(row.name), base::markdown_cell(row.text),
+            below ? "below" : "above", base::to_text(row.limit), row.unit,
+            row.delay == 0 ? ""
+                           : fmt::format(" for {} s", base::to_text(static_cast<double>(row.delay) / 1e6)),
+            base::to_text(row.released), row.unit, row.stops ? "yes" : "no");
+    }
+    return table + '\n';
+}
+
 }  // namespace
 
 std::string page() {
@@ -140,7 +156,10 @@ std::string page() {
         "cannot be taken, such as an NMT command on a bus that is cut, counts as failed.\n\n"
         "`drop` is seen by the gateway's driver: 3070 for CAN1, 3072 for CAN2. While a bus is cut nobody "
         "can\n"
-        "send on it, and the frame on the wire is lost.\n\n"
+        "send on it, and the frame on the wire is lost. The fault `can1-bus` or `can2-bus` is another "
+        "matter: it "
+        "ends with\n"
+        "`mend` only, and `mend` repairs no cable.\n\n"
         "Faults, until `mend`:\n\n| fault | meaning |\n| --- | --- |\n" +
         word_list("fault");
     text += "What they do to the gateway is in [errors.md](errors.md).\n\n";
@@ -149,6 +168,22 @@ std::string page() {
         "`expect-word` looks at what the PLC received in a TPDO, `expect-engine` at the engine itself. Its "
         "values:\n\n| value | unit |\n| --- | --- |\n" +
         word_list("expect-engine");
+    text +=
+        "The governor's alarms. Those of the oil pressure rise only once the engine has run for 3 s; the "
+        "others "
+        "end "
+        "by\n"
+        "themselves, but for those that stop the engine: they stay until errors are cleared while it stands "
+        "and "
+        "their\n"
+        "cause is gone. Then it starts again.\n\n" +
+        alarm_table();
+    text +=
+        "No manual prints an error number for them, so they are no errors (D22): they show in TPDO3, whose "
+        "bits "
+        "are\n"
+        "those of this simulation, the least significant first:\n\n| bit | meaning |\n| --- | --- |\n" +
+        word_list("expect-status");
     text.pop_back();
     return text;
 }

@@ -16,6 +16,14 @@ std::uint64_t priority(const frame::Frame& frame) {
 }  // namespace
 
 bool Bus::Node::send(const frame::Frame& frame) {
+    const bool taken = take(frame);
+    if (watch) {
+        watch(frame, taken);
+    }
+    return taken;
+}
+
+bool Bus::Node::take(const frame::Frame& frame) {
     if (!on_line() || queue.size() >= queue_capacity) {
         return false;
     }
@@ -32,6 +40,14 @@ frame::FramePort& Bus::attach(Participant& participant, std::size_t queue_capaci
 
 void Bus::attach_clock(Participant& participant) {
     attach(participant, 0);
+}
+
+void Bus::watch_port(const Participant& participant, const PortWatch& watch) {
+    for (const std::unique_ptr<Node>& node : nodes_) {
+        if (node->participant == &participant) {
+            node->watch = watch;
+        }
+    }
 }
 
 void Bus::connect(const Participant& participant, bool connected) {

@@ -55,6 +55,10 @@ class Bus {
     // Every frame, when it is over; observers are called in the order they came.
     void observe(Observer observer) { observers_.push_back(std::move(observer)); }
 
+    // Every frame that a participant offers to its port, and whether the port took it.
+    using PortWatch = std::function<void(const frame::Frame&, bool taken)>;
+    void watch_port(const Participant& participant, const PortWatch& watch);
+
     // Runs through everything that happens up to and including `end`.
     void run_until(Time end);
 
@@ -69,7 +73,7 @@ class Bus {
         Node(const Bus& on, Participant& who, std::size_t capacity)
             : bus(&on), participant(&who), queue_capacity(capacity) {}
         bool send(const frame::Frame& frame) override;
-
+        bool take(const frame::Frame& frame);
         bool on_line() const { return connected && bus->connected_; }
 
         const Bus* bus;
@@ -77,6 +81,7 @@ class Bus {
         std::size_t queue_capacity;
         bool connected = true;
         std::deque<frame::Frame> queue;
+        PortWatch watch;
         Time deadline = 0;
     };
 

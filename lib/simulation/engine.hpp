@@ -2,11 +2,25 @@
 // warms up. No claim to be any particular engine.
 #pragma once
 
+#include <bitset>
+#include <cstddef>
+#include <cstdint>
+
 namespace cgw::simulation {
 
 inline constexpr double idle_speed = 700;      // 1/min
 inline constexpr double maximum_speed = 1800;  // 1/min
 inline constexpr double rated_speed = 1500;    // 1/min; power is relative to full load at this speed
+
+// What can break at the engine, until it is mended (simulation/faults.hpp has their names).
+enum class EngineFault : std::uint8_t {
+    oil_leak,           // the oil pressure falls slowly
+    cooling_failure,    // the coolant gets hot
+    charge_air_cooler,  // the charge air gets hot under load
+    load_rejection,     // the load is gone at once
+    actuator_stuck,     // the actuator stays where it is; only the emergency stop still cuts the fuel
+};
+inline constexpr std::size_t engine_fault_count = 5;
 
 struct EngineInputs {
     bool idle_requested = false;  // 811
@@ -14,6 +28,7 @@ struct EngineInputs {
     double setpoint = 0;          // % of the way from idle to maximum speed
     double load = 60;             // %, taken once enabled and up to speed
     double ambient = 1013;        // mbar
+    bool emergency_stop = false;  // the fuel is cut, whatever the actuator does
 };
 
 struct EngineState {
@@ -32,6 +47,7 @@ struct EngineState {
     double fuel_temperature = 32;
     double exhaust_temperature = 40;
     double ambient = 1013;  // mbar
+    bool fuel_cut = false;  // by the emergency stop
 
     bool standing() const { return speed < 50; }
     bool running() const { return speed >= 0.9 * idle_speed; }
@@ -43,15 +59,23 @@ class Engine {
     // `seconds` may be any positive time; longer ones are walked in small steps.
     void advance(double seconds, const EngineInputs& inputs);
 
+    void report(EngineFault fault, bool present) { faults_.set(static_cast<std::size_t>(fault), present); }
+
     const EngineState& state() const { return state_; }
 
   private:
     void step(double seconds, const EngineInputs& inputs);
+    void run_down(double seconds);
     void step_speed(double seconds, const EngineInputs& inputs);
+    void step_load(double seconds, const EngineInputs& inputs);
     void step_media(double seconds);
+    bool broken(EngineFault fault) const { return faults_.test(static_cast<std::size_t>(fault)); }
+    double demand() const;
 
     EngineState state_;
-    double age_ = 0;  // seconds since power-up
+    std::bitset<engine_fault_count> faults_;
+    double age_ = 0;        // seconds since power-up, or since an emergency stop was lifted
+    double oil_level_ = 1;  // 1: as much as there should be
 };
 
 }  // namespace cgw::simulation

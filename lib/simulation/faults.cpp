@@ -4,8 +4,9 @@ namespace cgw::simulation {
 namespace {
 
 using enum device::Fault;
+using enum EngineFault;
 
-// Errors: those of the Gateway's table (device/gateway_errors.cpp).
+// Errors of the devices: those of the Gateway's table (device/gateway_errors.cpp).
 constexpr NamedFault table[] = {
     {"governor-can-bus", governor_can_bus, "the governor's CAN controller has left the bus"},
     {"governor-can-comm", governor_can_comm, "the governor lost CAN telegrams"},
@@ -21,6 +22,12 @@ constexpr NamedFault table[] = {
     {"data", data, "the gateway has no valid configuration"},
     {"stack", stack, "the gateway's stack overflows"},
     {"internal", internal, "the gateway's program is disturbed"},
+    {"oil-leak", oil_leak, "the engine loses its oil: its pressure falls within 20 s"},
+    {"cooling-failure", cooling_failure, "the engine's coolant gets hot within a minute"},
+    {"charge-air-cooler", charge_air_cooler, "the charge air is no longer cooled, and gets hot under load"},
+    {"load-rejection", load_rejection, "the engine's load is gone at once"},
+    {"actuator-stuck", actuator_stuck,
+     "the actuator stays where it is; an emergency stop still cuts the fuel"},
 };
 
 }  // namespace

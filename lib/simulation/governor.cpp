@@ -1,5 +1,6 @@
 #include "simulation/governor.hpp"
 
+#include "simulation/engine_state_word.hpp"
 #include "simulation/readings.hpp"
 #include "simulation/scaling.hpp"
 
@@ -20,26 +21,10 @@ constexpr double setpoint_2_substitute = 50;
 constexpr double load_substitute = 60;
 constexpr double ambient_substitute = 1013;
 
-// The manuals print no bits of the engine state word (D22); these are the simulation's own.
-constexpr unsigned state_standing = 0x01;
-constexpr unsigned state_starting = 0x02;
-constexpr unsigned state_running = 0x04;
-constexpr unsigned state_at_setpoint = 0x08;
-constexpr unsigned state_loaded = 0x10;
-constexpr unsigned state_alarm = 0x80;
-
 constexpr std::uint16_t first_sensor = 900;
 // Sensor errors are reported from 3005 on (manual 9.6); here sensor 900 + k is error 3005 + k, bit 5 + k.
 constexpr unsigned first_sensor_error_bit = 5;
 constexpr unsigned bits_per_word = 16;
-
-std::uint16_t engine_state_word(const EngineState& engine, bool alarm) {
-    const bool starting = !engine.standing() && !engine.running();
-    return static_cast<std::uint16_t>(
-        (engine.standing() ? state_standing : 0) | (starting ? state_starting : 0) |
-        (engine.running() ? state_running : 0) | (engine.at_setpoint() ? state_at_setpoint : 0) |
-        (engine.load > 1 ? state_loaded : 0) | (alarm ? state_alarm : 0));
-}
 
 }  // namespace
 
@@ -54,6 +39,11 @@ SimulatedGovernor::SimulatedGovernor(Bus& can1, const image::Image& image)
 void SimulatedGovernor::reset() {
     link_.open(*image_, ++boot_);
     inputs_.follow({});
+}
+
+void SimulatedGovernor::clear_errors() {
+    link_.clear_errors();
+    errors_cleared();
 }
 
 Time SimulatedGovernor::poll(Time now) {
@@ -75,6 +65,9 @@ Time SimulatedGovernor::poll(Time now) {
 
 void SimulatedGovernor::process_data(std::uint8_t rpdo, const device::PdoWords& words) {
     inputs_.receive(rpdo, words);
+    if (received_) {
+        received_(rpdo, words);
+    }
 }
 
 void SimulatedGovernor::run_engine() {
@@ -90,7 +83,9 @@ void SimulatedGovernor::run_engine() {
     if (ambient.usable()) {
         engine.ambient = scale_of(*image_, ambient_sensor, 0, 2000).to_engineering(ambient.word);
     }
+    engine.emergency_stop = alarms_.emergency_stop();
     engine_.advance(static_cast<double>(cycle_) / 1e6, engine);
+    alarms_.follow(engine_.state(), cycle_);
 }
 
 std::uint8_t SimulatedGovernor::cycle_flags() const {
@@ -113,17 +108,17 @@ double SimulatedGovernor::percentage(std::uint16_t sensor_number, double substit
 device::GovernorData SimulatedGovernor::data() const {
     device::GovernorData data;
     fill_analogue(data);
-    bool alarm = false;
+    bool sensor_faulty = false;
     for (std::size_t i = 0; i < image_->sensor_count(); ++i) {
         const std::uint16_t number = image_->sensor(i).number;
         if (inputs_.sensor(number).faulty) {
             const unsigned bit = first_sensor_error_bit + number - first_sensor;
             data.errors[bit / bits_per_word] =
                 static_cast<std::uint16_t>(data.errors[bit / bits_per_word] | (1U << (bit % bits_per_word)));
-            alarm = true;
+            sensor_faulty = true;
         }
     }
-    data.engine_state = engine_state_word(engine_.state(), alarm);
+    data.engine_state = engine_state_word({&engine_.state(), &alarms_, sensor_faulty});
     return data;
 }
 

@@ -1,5 +1,7 @@
 #include "simulation/installation.hpp"
 
+#include "simulation/error_numbers.hpp"
+
 namespace cgw::simulation {
 
 Installation::Installation(const image::Image& gateway, const image::Image& governor)
@@ -23,6 +25,10 @@ std::array<std::uint16_t, device::error_words> Installation::error_words() {
         words[i] = static_cast<std::uint16_t>(words[i] | own[i]);
     }
     return words;
+}
+
+std::vector<std::uint16_t> Installation::error_numbers() {
+    return simulation::error_numbers(plant_.gateway().errors().canopen_errors(), error_words());
 }
 
 }  // namespace cgw::simulation

@@ -1,6 +1,8 @@
 // A plant with a PLC at its CANopen bus, and with what may disturb it.
 #pragma once
 
+#include <vector>
+
 #include "simulation/jammer.hpp"
 #include "simulation/master_node.hpp"
 #include "simulation/plant.hpp"
@@ -25,6 +27,8 @@ class Installation {
 
     // Bits of 2000h:1..6 as the gateway shows them: the governor's, and its own.
     std::array<std::uint16_t, device::error_words> error_words();
+    // Numbers of all errors that the gateway shows, of 2005h and of 2000h:1..6.
+    std::vector<std::uint16_t> error_numbers();
 
   private:
     const image::Image* image_;

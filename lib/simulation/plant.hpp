@@ -36,6 +36,9 @@ class Plant {
     const link::GatewayEnd& gateway_link() const { return gateway_.link; }
     SimulatedGovernor& governor() { return governor_; }
 
+    // What the gateway offers to its port of CAN2.
+    void watch_gateway(const Bus::PortWatch& watch) { can2_.watch_port(gateway_, watch); }
+
     // As if its supply had been interrupted.
     void reset_gateway();
     void reset_governor();
@@ -43,11 +46,13 @@ class Plant {
     // A cause of an error that the plant's surroundings bring about: there, or gone (simulation/faults.hpp).
     // One that is there is there after a reset as well.
     void report(device::Fault fault, bool present);
+    void report(EngineFault fault, bool present) { governor_.report(fault, present); }
 
     // "Clear errors" at the gateway, which tells the governor.
     void clear_gateway_errors() { gateway_.link.clear_errors(now()); }
 
-    // Cuts a bus, or mends it. Its controller at the gateway says so: 3070 or 3072.
+    // Cuts a bus, or mends it. Its controller at the gateway says so: 3070 or 3072. That fault is there as
+    // long as the bus is cut or the fault is reported by name: mending the one does not mend the other.
     enum class BusName : std::uint8_t { can1, can2 };
     Bus& bus(BusName name) { return name == BusName::can1 ? can1_ : can2_; }
     void connect(BusName name, bool connected);
@@ -73,6 +78,9 @@ class Plant {
         link::GatewayEnd link;
         device::Gateway gateway;
     };
+
+    bool present(device::Fault fault) const;
+    void pass_on(device::Fault fault);
 
     const image::Image* gateway_image_;
     Bus can1_;

@@ -652,7 +652,7 @@ class Emit(Verb):
             image = self.dir / "x.bin"
             self.assertEqual(cgw("emit", "image", GENSET, "-o", image, *arguments).returncode, 0)
             self.assertEqual(cgw("image", "verify", image).returncode, 0)
-            shown = json.loads(cgw("image", "inspect", image, "--format", "json").stdout)
+            shown = json.loads(cgw("image", "inspect", image, "--json").stdout)
             self.assertEqual(bool(shown["labels"]), not arguments)
             self.assertIn(f"{image.stat().st_size} bytes", cgw("emit", "image-source", GENSET, *arguments).stdout.decode())
             sizes.append(image.stat().st_size)

@@ -334,7 +334,7 @@ class Terminal(Verb):
         self.assertIn("-- 6.0 s, speed 10 -- gateway Operational -- engine runs ---", last)
         self.assertIn("engine  1500 1/min, load 60.0 %, oil pressure 4.4", last)
         self.assertRegex(last, r"buses   CAN1 load 1\d\.\d %, CAN2 load \d\.\d %\n")
-        self.assertIn("errors  none\n", last)
+        self.assertIn("alarms  none\nerrors  none\n", last)
         self.assertRegex(last, r"2000 Speed +1500 1/min +2031 SpeedSetp +1500 1/min\n")
         self.assertIn("6.000 s, gateway Operational", last)
         self.assertLessEqual(max(len(line) for line in ESCAPE.sub("", text).splitlines()), 80)
@@ -343,6 +343,13 @@ class Terminal(Verb):
         path = self.scenario("{ at = 1, silence = \"RPDO1\" },", f"plant = \"{GENSET}\"\nduration = 3")
         _, text = self.on_a_terminal("--scenario", path, "--speed", "10")
         self.assertIn("errors  12413 CanOpTimeCtrlErr, 3005 ErrSetpointExtern", ESCAPE.sub("", text))
+
+    def test_alarms_of_the_engine_stand_in_the_block(self):
+        path = self.scenario("{ at = 3, fault = \"actuator-stuck\" },\n{ at = 3, fault = \"load-rejection\" },",
+                             f"plant = \"{GENSET}\"\nduration = 6")
+        _, text = self.on_a_terminal("--scenario", path, "--speed", "10")
+        self.assertIn("-- engine runs down ---", ESCAPE.sub("", text))
+        self.assertIn("alarms  emergency stop, overspeed\nerrors  none\n", ESCAPE.sub("", text))
 
     def test_a_small_terminal_is_not_overrun(self):
         code, text = self.on_a_terminal(GENSET, "--speed", "10", "--duration", "3", columns=40, rows=8)

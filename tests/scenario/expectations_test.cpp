@@ -51,6 +51,29 @@ TEST(ScenarioExpectations, of_the_engine) {
               "ok engine load 59..61 %\nFAILED engine oil-pressure at most 1 bar: it is 4.39 bar\n");
 }
 
+TEST(ScenarioExpectations, of_alarms) {
+    EXPECT_EQ(said("{ at = 4, expect-alarm = \"overspeed\" },\n{ at = 4, expect-no-alarm = \"overspeed\" },\n"
+                   "{ at = 4, expect-no-alarm = \"any\" },"),
+              "FAILED alarm overspeed: there is none\nok no alarm overspeed\nok no alarm\n");
+    EXPECT_EQ(
+        said("{ at = 4.9, expect-alarm = \"overspeed\" },\n{ at = 4.9, expect-alarm = \"hot-coolant\" },\n"
+             "{ at = 4.9, expect-no-alarm = \"overspeed\" },\n{ at = 4.9, expect-no-alarm = \"any\" },",
+             "{ at = 3.5, fault = \"actuator-stuck\" },\n{ at = 3.5, fault = \"load-rejection\" },\n"),
+        "ok alarm overspeed\nFAILED alarm coolant is hot: only overspeed\n"
+        "FAILED no alarm overspeed: it is there\nFAILED no alarm: overspeed\n");
+}
+
+TEST(ScenarioExpectations, of_the_engine_state_in_tpdo3) {
+    EXPECT_EQ(said("{ at = 4, expect-status = \"running\", on = true },\n"
+                   "{ at = 4, expect-status = \"running\", on = false },\n"
+                   "{ at = 4, expect-status = \"emergency-stop\", on = false },\n"
+                   "{ at = 4, expect-status = \"emergency-stop\", on = true },",
+                   "{ at = 0.1, expect-status = \"standing\", on = true },\n"),
+              "FAILED TPDO3 says standing: the PLC has not received it\n"
+              "ok TPDO3 says running\nFAILED TPDO3 says not running: its word is 0x1C\n"
+              "ok TPDO3 says not emergency-stop\nFAILED TPDO3 says emergency-stop: its word is 0x1C\n");
+}
+
 TEST(ScenarioExpectations, of_tpdos) {
     EXPECT_EQ(said("{ at = 4.001, expect-tpdo = 4, within = 0.125 },\n"
                    "{ at = 4.001, expect-tpdo = 4, within = 0.001 },\n"

@@ -80,7 +80,7 @@ TEST(ScenarioEvents, have_a_word_each) {
     for (int kind = 0; kind <= static_cast<int>(EventKind::expected); ++kind) {
         words.insert(to_text(static_cast<EventKind>(kind)));
     }
-    EXPECT_EQ(words.size(), 10U);
+    EXPECT_EQ(words.size(), 11U);
 }
 
 TEST(ScenarioErrors, have_the_names_of_the_catalogue) {

@@ -1,4 +1,5 @@
 // The PLC, what disturbs a plant, and how it is told.
+#include "simulation/error_numbers.hpp"
 #include "simulation/faults.hpp"
 #include "simulation/installation.hpp"
 #include "simulation/text.hpp"
@@ -96,6 +97,34 @@ TEST_F(InstallationTest, keeps_causes_over_a_reset_of_the_gateway) {
     EXPECT_FALSE(installation.plant().gateway().errors().shown(device::Fault::can2_bus));
 }
 
+TEST_F(InstallationTest, mending_a_bus_and_mending_its_fault_are_two_things) {
+    struct Case {
+        Plant::BusName bus;
+        device::Fault fault;
+    };
+    for (const Case& one : {Case{Plant::BusName::can1, device::Fault::can1_bus},
+                            Case{Plant::BusName::can2, device::Fault::can2_bus}}) {
+        Installation installation(image_);
+        Plant& plant = installation.plant();
+        const auto present = [&] { return plant.gateway().errors().present(one.fault); };
+        plant.run_until(2 * second);
+        plant.report(one.fault, true);
+        plant.connect(one.bus, false);
+        plant.connect(one.bus, true);
+        EXPECT_TRUE(present()) << "reported by name";
+        plant.report(one.fault, false);
+        EXPECT_FALSE(present());
+        plant.connect(one.bus, false);
+        plant.report(one.fault, true);
+        plant.report(one.fault, false);
+        EXPECT_TRUE(present()) << "still cut";
+        plant.reset_gateway();
+        EXPECT_TRUE(present()) << "after a reset";
+        plant.connect(one.bus, true);
+        EXPECT_FALSE(present());
+    }
+}
+
 TEST_F(InstallationTest, shows_the_errors_of_both_devices) {
     Installation installation(image_);
     installation.plant().run_until(2 * second);
@@ -108,6 +137,31 @@ TEST_F(InstallationTest, shows_the_errors_of_both_devices) {
     EXPECT_EQ(installation.error_words()[5], 1U << 5);
 }
 
+TEST_F(InstallationTest, clearing_errors_at_either_device_lifts_an_emergency_stop) {
+    for (const bool at_governor : {true, false}) {
+        Installation installation(image_);
+        installation.plant().run_until(6 * second);
+        installation.plant().report(EngineFault::actuator_stuck, true);
+        installation.plant().report(EngineFault::load_rejection, true);
+        installation.plant().run_until(30 * second);
+        const SimulatedGovernor& governor = installation.plant().governor();
+        EXPECT_TRUE(governor.alarms().emergency_stop());
+        EXPECT_TRUE(governor.engine().state().standing());
+        installation.plant().report(EngineFault::actuator_stuck, false);
+        installation.plant().reset_governor();
+        installation.plant().run_until(40 * second);
+        EXPECT_TRUE(governor.alarms().emergency_stop()) << "not lifted by an interrupted supply";
+        if (at_governor) {
+            installation.plant().governor().clear_errors();
+        } else {
+            installation.plant().clear_gateway_errors();
+        }
+        installation.plant().run_until(50 * second);
+        EXPECT_FALSE(governor.alarms().any());
+        EXPECT_TRUE(governor.engine().state().running());
+    }
+}
+
 TEST(SimulationFaults, are_those_that_come_from_outside_each_with_one_name) {
     std::vector<device::Fault> seen_by_the_gateway{
         device::Fault::governor_reset, device::Fault::initialisation, device::Fault::receive_pdo_late,
@@ -116,12 +170,30 @@ TEST(SimulationFaults, are_those_that_come_from_outside_each_with_one_name) {
     for (const device::FaultRow& row : device::fault_rows()) {
         std::size_t named = 0;
         for (const NamedFault& fault : named_faults()) {
-            named += fault.fault == row.fault ? 1 : 0;
+            named += fault.cause == std::variant<device::Fault, EngineFault>(row.fault) ? 1U : 0U;
         }
         const bool own = std::find(seen_by_the_gateway.begin(), seen_by_the_gateway.end(), row.fault) !=
                          seen_by_the_gateway.end();
         EXPECT_EQ(named, own ? 0U : 1U) << static_cast<int>(row.fault);
     }
+}
+
+TEST(SimulationFaults, of_the_engine_have_one_name_each) {
+    std::vector<std::size_t> named(engine_fault_count);
+    for (const NamedFault& fault : named_faults()) {
+        if (const EngineFault* const cause = std::get_if<EngineFault>(&fault.cause)) {
+            ++named[static_cast<std::size_t>(*cause)];
+        }
+    }
+    EXPECT_EQ(named, std::vector<std::size_t>(engine_fault_count, 1));
+}
+
+TEST(SimulationErrorNumbers, are_those_of_both_kinds_of_bits) {
+    std::array<std::uint16_t, device::error_words> words{};
+    words[0] = 1U << 5;
+    words[5] = 0x8000;
+    EXPECT_EQ(error_numbers(0x2001, words), (std::vector<std::uint16_t>{12411, 12424, 3005, 3095}));
+    EXPECT_TRUE(error_numbers(0, {}).empty());
 }
 
 TEST(SimulationTexts, say_why_a_configuration_is_refused) {

@@ -1,0 +1,165 @@
+#include "simulation/soak/rules.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "wire/little_endian.hpp"
+
+namespace cgw::simulation::soak {
+namespace {
+
+constexpr std::size_t most_blamed = 5;
+bool may_follow(GatewayState before, GatewayState after) {
+    switch (after) {
+        case GatewayState::undefined:
+        case GatewayState::init:
+            return true;
+        case GatewayState::pre_operational:
+            return before != GatewayState::undefined;
+        case GatewayState::operational:
+        case GatewayState::stopped:
+            return before != GatewayState::undefined && before != GatewayState::init;
+    }
+    return false;
+}
+
+bool initialised(GatewayState state) {
+    return state != GatewayState::undefined && state != GatewayState::init;
+}
+
+}  // namespace
+
+Rules::Rules(const image::Image& image) : image_(&image) {}
+
+void Rules::blame(std::string_view rule, Time now, const std::string& what) {
+    if (broken_.size() < most_blamed) {
+        broken_.push_back(fmt::format("{} at {} us: {}", rule, now, what));
+    }
+}
+
+void Rules::gateway_was_reset() {
+    state_ = GatewayState::undefined;
+    last_ = {};
+    boot_up_due_.reset();
+    waiting_.clear();
+    binary_ = {};
+}
+
+void Rules::can2_was_cut() {
+    ++cuts_;
+}
+
+void Rules::allow_none() {
+    allowed_.clear();
+    alarms_allowed_ = false;
+}
+
+// --- states, errors, boot-up ---
+
+void Rules::look(const Look& look) {
+    const GatewayState before = state_.value_or(GatewayState::undefined);
+    follow(look.state, look.now, look.hides_states);
+    const bool was_operational = before == GatewayState::operational ||
+                                 look.state == GatewayState::operational ||
+                                 look.operational_entries != last_.operational_entries;
+    if (!was_operational && look.pdos_received != last_.pdos_received) {
+        blame("rpdo-outside-operational", look.now, "taken");
+    }
+    for (unsigned bit = 0; look.canopen_errors != last_.canopen_errors && bit < facts::word_bits; ++bit) {
+        const unsigned error = facts::first_canopen_error + bit;
+        if (((unsigned{look.canopen_errors} >> bit) & 1U) != 0 && !allowed_.contains(error)) {
+            blame("error-without-cause", look.now, fmt::format("{}", error));
+        }
+    }
+    if (look.alarms && !last_.alarms) {
+        ++alarms_;
+        if (!alarms_allowed_) {
+            blame("alarm-without-cause", look.now, "of the engine");
+        }
+    }
+    constexpr unsigned can2_bus_error = 1U << (12423 - facts::first_canopen_error);
+    if (((unsigned{look.canopen_errors} | last_.canopen_errors) & can2_bus_error) != 0) {
+        waiting_.erase(sdo_answer());  // dropped when the bus goes and when it comes back
+    }
+    if (look.state != last_.state || look.operational_entries != last_.operational_entries ||
+        look.binary != last_.binary) {
+        quiet_since_ = look.now;
+        quiet_judged_ = false;
+    }
+    last_ = look;
+    judge_binary(look.now);
+    judge_waiting(look.now);
+}
+
+void Rules::follow(GatewayState state, Time now, bool hides_states) {
+    const GatewayState before = state_.value_or(state);
+    state_ = state;
+    if (before == state) {
+        return;
+    }
+    if (!hides_states && !may_follow(before, state)) {
+        blame("transition", now, fmt::format("{} to {}", to_text(before), to_text(state)));
+    }
+    if (!initialised(state)) {
+        boot_up_due_.reset();
+    } else if (!initialised(before)) {
+        boot_up_due_ = now;
+    }
+    if (!initialised(state) || state == GatewayState::stopped) {
+        waiting_.clear();
+    } else if (state != GatewayState::operational) {
+        std::erase_if(waiting_, [this](const auto& one) { return one.first != sdo_answer(); });
+    }
+}
+
+// Refused once, and not offered again although the port takes frames.
+void Rules::judge_waiting(Time now) {
+    const bool port_is_full = now - last_refusal_ <= patience;
+    if (!port_is_full && !waiting_.empty()) {
+        blame("pending-lost", now,
+              fmt::format("{:03X}h, refused at {} us", waiting_.begin()->first, waiting_.begin()->second));
+        waiting_.clear();
+    }
+    if (!port_is_full && boot_up_due_ && now - *boot_up_due_ > patience) {
+        blame("boot-up-missing", now, fmt::format("initialised at {} us", *boot_up_due_));
+        boot_up_due_.reset();
+    }
+}
+
+// --- afterwards ---
+
+void Rules::settle(const Settled& settled) {
+    const Time now = settled.now;
+    if (settled.state != GatewayState::operational) {
+        blame("not-operational", now, std::string(to_text(settled.state)));
+    }
+    if (!settled.errors.empty()) {
+        blame("error-stuck", now, fmt::format("{}", fmt::join(settled.errors, ", ")));
+    }
+    if (settled.alarms || !settled.engine_runs) {
+        blame("alarm-stuck", now, settled.alarms ? "alarm" : "the engine does not run");
+    }
+    for (std::size_t position = 0; position < facts::tpdo_count; ++position) {
+        const image::Pdo pdo = image_->pdo(position);
+        const auto& received = settled.tpdos[position];
+        const Time longest = pdo.effective_us + 5'000U;
+        if (pdo.active && (!received || (pdo.effective_us != 0 && now - received->time > longest))) {
+            blame("tpdo-late", now, fmt::format("TPDO{}", position + 1));
+        }
+    }
+    constexpr std::size_t engine_state = 2;
+    const auto& status = settled.tpdos[engine_state];
+    if (image_->pdo(engine_state).active && status && status->first_word != settled.engine_state) {
+        blame("tpdo-stale", now,
+              fmt::format("TPDO3: {:02X}h instead of {:02X}h", status->first_word, settled.engine_state));
+    }
+    if (settled.sent != settled.obeyed) {
+        blame(
+            "rpdo-lost", now,
+            fmt::format("{} sent, {} obeyed", fmt::join(settled.sent, " "), fmt::join(settled.obeyed, " ")));
+    }
+}
+
+}  // namespace cgw::simulation::soak
