@@ -26,9 +26,9 @@ constexpr Option image_diff_options[] = {
 
 constexpr std::string_view image_diff_details =
     "Tells what differs in terms of the configuration, as cgw diff does for parameter\n"
-    "files. Where one of the two holds no canonical model (labels left out), both are\n"
-    "compared by what a gateway needs to run. Exit code 0 when the images are byte for\n"
-    "byte the same, 1 when they differ or one is refused, 3 when one cannot be read.\n";
+    "files. Where one of the two holds no canonical model, both are compared by what\n"
+    "a gateway needs to run. Exit code 0 when the images are byte for byte the same,\n"
+    "1 when they differ or one is refused, 3 when one cannot be read.\n";
 
 void note(compare::Comparison& comparison, std::string_view kind, std::string subject, std::string a,
           std::string b) {

@@ -173,7 +173,8 @@ class Diff(Case):
                   for key in ("consequences", "otherwise")}
         self.assertEqual(sorted(re.findall(r"`([a-z-]+)`", consequences)), wanted["consequences"])
         self.assertEqual(sorted(re.findall(r"`([a-z-]+)`", otherwise)), wanted["otherwise"])
-        code = "".join(path.read_text() for path in (SCHEMAS.parent / "lib/compare").glob("*.cpp"))
+        sources = [*(SCHEMAS.parent / "lib/compare").glob("*.cpp"), SCHEMAS.parent / "cli/cgw/verb_image_diff.cpp"]
+        code = "".join(path.read_text() for path in sources)
         for kind in wanted["consequences"] + wanted["otherwise"]:
             self.assertIn(f'"{kind}"', code)
         noted = re.findall(r'\bnote\([\w.]+,\s*"([a-z-]+)"', code)
