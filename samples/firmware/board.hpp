@@ -14,7 +14,8 @@ namespace board {
 
 using cgw::canopen::Time;
 
-// A CAN controller. It takes no part in its bus until start(): sends nothing, acknowledges nothing.
+// A CAN controller. It takes no part in its bus until start(): send() says "not now", and nothing is
+// acknowledged.
 class Can final : public cgw::frame::FramePort {
   public:
     explicit constexpr Can(unsigned number) : number_(number) {}

@@ -189,7 +189,7 @@ class Firmware(unittest.TestCase):
 
     def test_an_image_put_in_after_the_link_runs(self):
         image = self.directory / "image.bin"
-        run(CGW, "emit", "image", self.minimal, "-o", image)
+        run(CGW, "emit", "image", self.minimal, "-o", image, "--no-labels")
         board = self.board()
 
         def replaced(region):

@@ -6,7 +6,8 @@ import sys
 
 root = pathlib.Path(sys.argv[1])
 page = (root / "docs/firmware.md").read_text()
-BUILT = [*sorted((root / "samples/firmware").iterdir()), root / "tests/install/consumer/CMakeLists.txt",
+BUILT = [*sorted(path for path in (root / "samples/firmware").iterdir() if path.is_file()),
+         root / "tests/install/consumer/CMakeLists.txt",
          root / "tests/image/c_reader.c"]
 problems = []
 

@@ -274,17 +274,45 @@ TEST(ImageInC, agrees_about_bytes_that_are_no_image) {
     }
 }
 
-// What it claims above code 9: nothing that lies outside.
+TEST(ImageInC, agrees_about_every_missing_section) {
+    const base::Bytes good = SamplePlant().image();
+    const std::vector<Part> parts = parts_of(good);
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        std::vector<Part> rest = parts;
+        rest.erase(rest.begin() + static_cast<std::ptrdiff_t>(i));
+        expect_agreement(join(good, rest, 0, image::header::size),
+                         "without section " + std::to_string(i + 1));
+    }
+}
+
+TEST(ImageInC, refuses_what_stands_between_the_last_section_and_the_crc) {
+    base::Bytes bytes = SamplePlant().image();
+    bytes.insert(bytes.end() - image::crc_size, 4, 0);
+    bytes = changed(bytes, image::header::total_size, 4, bytes.size());
+    EXPECT_EQ(open(bytes), Status::bad_directory);
+    EXPECT_EQ(c_status(bytes), Status::bad_directory);
+}
+
+// What it claims above code 9: nothing that lies outside, not even its last byte.
 TEST(ImageInC, refuses_values_and_texts_that_lie_outside) {
     const base::Bytes good = SamplePlant().image();
+    image::Image image;
+    ASSERT_EQ(image::Image::open(good, image), Status::ok);
     const std::size_t object = offset_of(good, image::SectionId::objects);
+    const std::size_t behind = image.initial_values().size() - image.objects().entry(0).length + 1;
+    EXPECT_EQ(c_status(changed(good, object + CGW_IMAGE_OBJECT_OFFSET, 2, behind)), Status::bad_object_table);
+    EXPECT_EQ(c_status(changed(good, object + CGW_IMAGE_OBJECT_OFFSET, 2, behind - 1)), Status::ok);
     EXPECT_EQ(c_status(changed(good, object + CGW_IMAGE_OBJECT_OFFSET, 2, 0xFFFF)), Status::bad_object_table);
     EXPECT_EQ(c_status(changed(good, object + CGW_IMAGE_OBJECT_TYPE, 1, 8)), Status::bad_object_table);
+
     const std::size_t label = offset_of(good, image::SectionId::labels);
+    const std::size_t strings = size_of(good, image::SectionId::strings);
+    const std::size_t name = strings - image.label(0).name.size() + 1;
+    EXPECT_EQ(c_status(changed(good, label + image::label::name_offset, 4, name)), Status::bad_label);
+    EXPECT_EQ(c_status(changed(good, label + image::label::name_offset, 4, name - 1)), Status::ok);
     for (const std::size_t offset : {image::label::name_offset, image::label::unit_offset}) {
         EXPECT_EQ(c_status(changed(good, label + offset, 4, 0xFFFF'FFFF)), Status::bad_label);
-        EXPECT_EQ(c_status(changed(good, label + offset, 4, size_of(good, image::SectionId::strings) + 1)),
-                  Status::bad_label);
+        EXPECT_EQ(c_status(changed(good, label + offset, 4, strings + 1)), Status::bad_label);
     }
 }
 
