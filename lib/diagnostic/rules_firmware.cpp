@@ -144,8 +144,8 @@ const Rule image_room{
     .summary = "an image fits where it is to stand",
     .reference = "",
     .why =
-        "What stands behind the section or segment belongs to something else. Reserve 8 KiB: a full "
-        "configuration has less, also with labels.",
+        "What stands behind the section or segment belongs to something else. Reserve 8 KiB: no "
+        "configuration without labels has more.",
     .example = Example::none,
     .bad = "",
     .good = ""};

@@ -10,10 +10,10 @@ import tempfile
 import unittest
 
 CGW, SAMPLES = os.environ["CGW"], pathlib.Path(os.environ["CGW_SAMPLES"])
-GENSET, MINIMAL, SCRIPT = SAMPLES / "genset.toml", SAMPLES / "minimal.toml", SAMPLES / "firmware/image.ld"
+GENSET, MINIMAL, SCRIPT = SAMPLES / "genset.toml", SAMPLES / "minimal.toml", SAMPLES / "firmware/board.ld"
 CROSS = "arm-none-eabi-"
 CPU = ["-mcpu=cortex-m3", "-mthumb"]
-PLACE, ROOM = 0x0803E000, 8192
+PLACE, ROOM = 0x0003E000, 8192
 
 FIRMWARE = """
 extern const unsigned char cgw_config_begin[], cgw_config_end[];
@@ -96,7 +96,7 @@ class Embed(unittest.TestCase):
 
     def test_elf_has_the_image_and_is_otherwise_the_same(self):
         said = self.embed("image.bin", "fw.elf", "--section", ".cgw_config", "-o", "new.elf")
-        self.assertRegex(said, rf"^new\.elf at 0x0803E000: valid, format 1\.0, {len(self.image)} bytes, configuration id "
+        self.assertRegex(said, rf"^new\.elf at 0x0003E000: valid, format 1\.0, {len(self.image)} bytes, configuration id "
                                rf"[0-9a-f]{{16}}, CRC [0-9a-f]{{8}}\n  section   \.cgw_config, 8192 bytes\n"
                                rf"  filling   {ROOM - len(self.image)} bytes behind the image with 0xFF\n"
                                rf"  replaces  a reserved area\n$")
@@ -129,7 +129,7 @@ class Embed(unittest.TestCase):
             self.assertEqual(self.memory_of("ours.txt", form), self.memory_of(theirs, form))
             ends = [self.bytes_of(name).splitlines(keepends=True)[-2 if form == "ihex" else -1:] for name in ("ours.txt", theirs)]
             self.assertEqual(*ends)  # start address and end
-            self.assertIn("ours.txt at 0x0803E000: valid", self.good(CGW, "image", "verify", "ours.txt"))
+            self.assertIn("ours.txt at 0x0003E000: valid", self.good(CGW, "image", "verify", "ours.txt"))
 
     def test_hex_without_the_region_gets_it(self):
         for form in ("ihex", "srec"):
@@ -146,7 +146,7 @@ class Embed(unittest.TestCase):
             said = self.embed("small.bin", name, *where, "--in-place")
             self.assertRegex(said, r"  replaces  an image, configuration id [0-9a-f]{16}\n$")
             said = self.good(CGW, "image", "verify", name, *where)
-            self.assertEqual(said, self.good(CGW, "image", "verify", "small.bin").replace("small.bin", f"{name} at 0x0803E000"))
+            self.assertEqual(said, self.good(CGW, "image", "verify", "small.bin").replace("small.bin", f"{name} at 0x0003E000"))
         self.assertEqual(self.section("fw.elf"), self.bytes_of("small.bin").ljust(ROOM, b"\xff"))
 
     def test_refusals_write_nothing(self):
@@ -162,13 +162,13 @@ class Embed(unittest.TestCase):
         self.refused("[E0701 firmware-kind]", *into, "image.bin", "--address", hex(PLACE), *to)
         path = self.dir / self.hex_of("fw.elf", "ihex")
         self.refused("has no sections", *into, path.name, "--section", ".cgw_config", *to)
-        self.refused("[E0711 image-occupied]", *into, path.name, "--address", "0x08000000", *to)
+        self.refused("[E0711 image-occupied]", *into, path.name, "--address", "0x00000000", *to)
         text = path.read_text()
         second = text.splitlines()[1]
         path.write_text(text.replace(second, second[:-1] + ("0" if second[-1] != "0" else "1"), 1), newline="")
         self.refused(f"{path.name}:2:42: error: the checksum is", *into, path.name, "--address", hex(PLACE), *to)
         self.refused("no configuration image is in this ELF file", "verify", "fw.elf")
-        self.refused("at 0x0803E000: refused: it does not begin with", "verify", "fw.elf", "--section", ".cgw_config")
+        self.refused("at 0x0003E000: refused: it does not begin with", "verify", "fw.elf", "--section", ".cgw_config")
         self.refused("No such file", *into, "none.elf", "--section", ".x", *to, code=3)
         self.refused("cannot write", *into, "fw.elf", "--section", ".cgw_config", "-o", "no/such/directory", code=3)
 
@@ -192,7 +192,7 @@ class Embed(unittest.TestCase):
         damaged = bytearray(self.bytes_of("fw.elf"))
         damaged[damaged.index(self.image) + 500] ^= 1
         (self.dir / "damaged.elf").write_bytes(damaged)
-        self.refused("damaged.elf at 0x0803E000: refused: the CRC-32 does not match (status 7)", "verify", "damaged.elf")
+        self.refused("damaged.elf at 0x0003E000: refused: the CRC-32 does not match (status 7)", "verify", "damaged.elf")
         self.refused("the image there is damaged", "embed", "small.bin", "--into", "damaged.elf", "--section", ".cgw_config", "-o", "x")
 
 
