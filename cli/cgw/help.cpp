@@ -74,7 +74,7 @@ std::string verb_list(std::string_view group) {
     std::string text;
     for (const Verb* verb : all_verbs()) {
         if (group.empty() || verb->name.starts_with(fmt::format("{} ", group))) {
-            text += entry(verb->name, verb->summary, 18);
+            text += entry(verb->name, verb->summary, 19);
         }
     }
     return text;

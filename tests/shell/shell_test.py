@@ -67,7 +67,7 @@ class Asked(unittest.TestCase):
     def check_all(self):
         self.assertLessEqual({"check", "build", "emit", "image"}, self.ask("cgw "))
         self.assertEqual(self.ask("cgw ch"), {"check"})
-        self.assertEqual(self.ask("cgw image "), {"verify", "inspect"})
+        self.assertEqual(self.ask("cgw image "), {"verify", "inspect", "annotate", "diff", "decompile", "embed"})
         self.assertLessEqual({"human", "concise", "json"}, self.ask("cgw check --format "))
         self.assertLessEqual({"eds", "pdo-table", "image", "image-source"}, self.ask("cgw emit "))
         self.assertIn("plant.toml", self.ask("cgw check p"))
