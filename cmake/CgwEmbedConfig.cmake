@@ -10,8 +10,8 @@
 #     [NO_LABELS])               # leave out names and units, which only displays need
 #
 # The program sees `extern "C" const unsigned char cgw_config_image[];` and `extern "C" const unsigned int
-# cgw_config_image_size;` and gives them to cgw::image::Image::open. A linker that drops unused sections needs
-# KEEP(*(.cgw_config)) when nothing refers to the symbol.
+# cgw_config_image_size;` and gives what cgw::image::image_in finds there to cgw::image::Image::open. A linker that
+# drops unused sections needs KEEP(*(.cgw_config)) when nothing refers to the symbol.
 #
 # The file is compiled by a cgw that runs on the building machine: CGW_EXECUTABLE where it is set, else the target
 # `cgw` (not in a cross build) or `cgw::cgw`. An invalid file fails the build with cgw's

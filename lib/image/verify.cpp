@@ -154,6 +154,7 @@ Status Verifier::check_presence() {
     const bool labels = image_.records(SectionId::labels).data != nullptr;
     const bool strings = image_.records(SectionId::strings).data != nullptr;
     const bool model = image_.records(SectionId::model).data != nullptr;
+    section_ = labels && !strings ? SectionId::strings : SectionId::labels;  // that is missing
     return labels == strings && (labels || !model) ? Status::ok : Status::section_missing;
 }
 

@@ -179,7 +179,7 @@ std::string page() {
         "cause is gone. Then it starts again.\n\n" +
         alarm_table();
     text +=
-        "No manual prints an error number for them, so they are no errors (D22): they show in TPDO3, whose "
+        "No manual prints an error number for them, so they are no errors (D48): they show in TPDO3, whose "
         "bits "
         "are\n"
         "those of this simulation, the least significant first:\n\n| bit | meaning |\n| --- | --- |\n" +

@@ -14,6 +14,7 @@ CGW = os.environ["CGW"]
 GATEWAY = os.environ["CANOPEN_GATEWAY"]
 GOVERNOR = os.environ["GOVERNOR"]
 DEADLINE = 60
+SAMPLES = pathlib.Path(__file__).resolve().parents[2] / "samples"
 NODE = 12  # of samples/genset.toml
 
 
@@ -377,6 +378,21 @@ class RealTime(unittest.TestCase):
             self.assertEqual(node.process.wait(timeout=DEADLINE), 3)
             self.assertIn(b"cannot write to standard output", node.process.stderr.read())
 
+
+class Embedded(unittest.TestCase):
+    def test_an_image_that_was_put_in_after_the_link_is_the_one_that_runs(self):
+        """A shorter one: the rest of the section is filled."""
+        with tempfile.TemporaryDirectory() as name:
+            image, program = pathlib.Path(name, "small.bin"), pathlib.Path(name, "gateway")
+            subprocess.run([CGW, "emit", "image", SAMPLES / "minimal.toml", "-o", image], check=True)
+            said = subprocess.run([CGW, "image", "embed", image, "--into", GATEWAY, "--section", ".cgw_config", "-o", program],
+                                  check=True, stdout=subprocess.PIPE, text=True).stdout
+            wanted = re.search(r"configuration id ([0-9a-f]{16})", said).group(1)
+            self.assertRegex(said, r"filling +[1-9]\d* bytes")
+            done = subprocess.run([program, "--duration", "1"], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
+                                  timeout=DEADLINE)
+            self.assertEqual((done.returncode, done.stderr), (0, ""))
+            self.assertIn(wanted, done.stdout)
 
 
 unittest.main()
