@@ -47,6 +47,11 @@ Outcome<FirmwareFile> FirmwareFile::read(std::span<const std::uint8_t> bytes) {
         return refuse(rules::firmware_kind,
                       "this is neither an ELF program nor an Intel HEX or S-record file");
     }
+    if (*kind != Kind::elf && bytes.size() > largest_record_file) {
+        return refuse(rules::firmware_kind,
+                      fmt::format("the {} file has {} bytes; more than 64 MiB are not read", to_text(*kind),
+                                  bytes.size()));
+    }
     const auto keep = [&file](auto content) -> Outcome<FirmwareFile> {
         if (!content) {
             return tl::unexpected(content.error());

@@ -15,6 +15,8 @@
 
 namespace cgw::firmware_file {
 
+inline constexpr std::size_t largest_record_file = std::size_t{64} * 1024 * 1024;  // Intel HEX, S-record
+
 // By the first bytes; nullopt for anything else.
 enum class Kind { elf, intel_hex, s_record };
 std::optional<Kind> kind_of(std::span<const std::uint8_t> bytes);

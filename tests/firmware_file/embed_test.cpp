@@ -29,6 +29,7 @@ IntelHex hex_file() {
     IntelHex file;
     file.memory = Memory(0x08000000, base::Bytes(0x100, 0x4B));
     file.start_linear = 0x080000ED;
+    file.end_address = 0x100;
     return file;
 }
 base::Bytes bytes_of(const IntelHex& file) {
@@ -135,13 +136,17 @@ TEST(EmbedIntoHex, refuses_odd_places) {
               "firmware-kind: this is neither an ELF program nor an Intel HEX or S-record file");
     EXPECT_EQ(why(embed({}, sample.image, at(place))),
               "firmware-kind: this is neither an ELF program nor an Intel HEX or S-record file");
+    base::Bytes large(largest_record_file + 1, '\n');
+    large[0] = ':';
+    EXPECT_EQ(why(embed(large, sample.image, at(place))),
+              "firmware-kind: the Intel HEX file has 67108865 bytes; more than 64 MiB are not read");
 }
 
 TEST(EmbedIntoSRecord, adds_the_image_and_keeps_header_start_and_count) {
     const Sample sample;
     SRecord file;
     file.memory = Memory(0x08000000, base::Bytes(0x100, 0x4B));
-    file.header = base::to_bytes("firmware");
+    file.headers = {{0, base::to_bytes("firmware")}, {7, {}}};
     file.start = 0x080000ED;
     file.counted = true;
     const Outcome<Embedded> embedded = embed(base::to_bytes(write_s_record(file)), sample.image, at(place));
