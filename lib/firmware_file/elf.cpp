@@ -17,18 +17,19 @@ struct Layout {
     std::size_t word;  // bytes of an address or offset
     std::size_t header_size, program_offset, section_offset, program_entry, program_count, section_entry,
         section_count, names_index;
-    std::size_t program_size, p_offset, p_address, p_file_size, p_memory_size;
+    std::size_t program_size, p_offset, p_address, p_file_size, p_memory_size, p_flags;
     std::size_t section_size, s_flags, s_address, s_offset, s_size;
 };
-constexpr Layout layout_32{4, 52, 28, 32, 42, 44, 46, 48, 50, 32, 4, 8, 16, 20, 40, 8, 12, 16, 20};
-constexpr Layout layout_64{8, 64, 32, 40, 54, 56, 58, 60, 62, 56, 8, 16, 32, 40, 64, 8, 16, 24, 32};
+constexpr Layout layout_32{4, 52, 28, 32, 42, 44, 46, 48, 50, 32, 4, 8, 16, 20, 24, 40, 8, 12, 16, 20};
+constexpr Layout layout_64{8, 64, 32, 40, 54, 56, 58, 60, 62, 56, 8, 16, 32, 40, 4, 64, 8, 16, 24, 32};
 
 constexpr std::size_t class_at = 4, byte_order_at = 5, version_at = 6, type_at = 16, identification_size = 16;
 constexpr std::uint64_t extended_programs = 0xFFFF, extended_index = 0xFFFF;
-constexpr std::uint32_t executable = 2, shared = 3;                     // e_type
-constexpr std::uint32_t loaded = 1;                                     // p_type PT_LOAD
-constexpr std::uint32_t unused = 0, program_data = 1, no_contents = 8;  // sh_type
-constexpr std::uint64_t in_memory = 2, compressed = 0x800;              // sh_flags
+constexpr std::uint32_t executable = 2, shared = 3;                                 // e_type
+constexpr std::uint32_t loaded = 1;                                                 // p_type PT_LOAD
+constexpr std::uint32_t unused = 0, program_data = 1, no_contents = 8;              // sh_type
+constexpr std::uint32_t segment_writable = 2;                                       // p_flags
+constexpr std::uint64_t writable = 1, in_memory = 2, code = 4, compressed = 0x800;  // sh_flags
 constexpr std::uint64_t address_end = std::uint64_t{1} << 63U;
 constexpr std::size_t longest_name = 1024;  // nobody has longer ones, and a damaged file could have huge ones
 
@@ -127,19 +128,19 @@ class Reader {
                 continue;
             }
             const ElfSegment segment{address(at + layout_->p_address), address(at + layout_->p_offset),
-                                     address(at + layout_->p_file_size)};
-            const std::uint64_t memory_size = address(at + layout_->p_memory_size);
+                                     address(at + layout_->p_file_size), address(at + layout_->p_memory_size),
+                                     (word(at + layout_->p_flags) & segment_writable) != 0};
             if (!inside(segment.offset, segment.size, file_.size())) {
                 return damaged(at, fmt::format("segment {} lies outside the file", i));
             }
-            if (segment.size > memory_size || !inside(segment.address, memory_size, address_end)) {
+            if (segment.size > segment.memory || !inside(segment.address, segment.memory, address_end)) {
                 return damaged(at, fmt::format("segment {} does not fit its addresses", i));
             }
             bytes += segment.size;
             if (bytes > file_.size()) {
                 return damaged(at, "the segments lie over each other");
             }
-            if (segment.size != 0) {
+            if (segment.memory != 0) {
                 elf_.segments.push_back(segment);
             }
         }
@@ -217,7 +218,7 @@ bool share_bytes(const ElfSection& a, const ElfSection& b) {
     return a.has_contents() && b.has_contents() && ElfRange{a.offset, a.size}.meets({b.offset, b.size});
 }
 
-// Why no image can be put into it; nullptr when one can.
+// Why it can have no image; nullptr when it can.
 const char* unfit(const ElfSection& section) {
     if (section.type == no_contents) {
         return "has no contents in the file (NOBITS)";
@@ -232,6 +233,52 @@ const char* unfit(const ElfSection& section) {
         return "is not loaded into the device";
     }
     return nullptr;
+}
+
+// Why an image that it could have is not put there all the same.
+const char* not_free(const ElfSection& section) {
+    if (const char* why = unfit(section); why != nullptr) {
+        return why;
+    }
+    if ((section.flags & writable) != 0) {
+        return "is writable";
+    }
+    return (section.flags & code) != 0 ? "is code" : nullptr;
+}
+
+Outcome<void> alone(const Elf& elf, const ElfSection& section) {
+    for (const ElfSection& other : elf.sections) {
+        if (&other != &section && share_bytes(other, section)) {
+            return refuse(rules::elf_structure,
+                          fmt::format("sections {} and {} share bytes of the file",
+                                      base::printable(section.name), base::printable(other.name)));
+        }
+    }
+    return {};
+}
+
+// The section that the program sees at the first of the bytes must be a place for all of them.
+Outcome<void> replaceable_in_sections(const Elf& elf, const ElfSegment& segment, std::uint64_t address,
+                                      std::uint64_t size) {
+    const auto found = std::find_if(elf.sections.begin(), elf.sections.end(), [&](const ElfSection& section) {
+        return section.has_contents() && (section.flags & in_memory) != 0 && section.address <= address &&
+               address - section.address < section.size;
+    });
+    if (found == elf.sections.end() || !holds(segment, *found)) {
+        return refuse(rules::firmware_address, fmt::format("no section stands at {}", address_text(address)),
+                      {}, "reserve the area in the program, as a section of read-only data");
+    }
+    const std::string shown = base::printable(found->name);
+    if (const char* why = not_free(*found); why != nullptr) {
+        return refuse(rules::firmware_section, fmt::format("section {} {}", shown, why), {},
+                      "reserve read-only data: a constant array, or (READONLY) in the linker script");
+    }
+    const std::uint64_t rest = found->size - (address - found->address);
+    if (size > rest) {
+        return refuse(rules::image_room, fmt::format("section {} ends {} bytes behind {}, the image needs {}",
+                                                     shown, rest, address_text(address), size));
+    }
+    return alone(elf, *found);
 }
 
 }  // namespace
@@ -268,13 +315,38 @@ Outcome<ElfSection> find_section(const Elf& elf, std::string_view name) {
         return refuse(rules::firmware_section,
                       fmt::format("section {} does not lie in one loaded segment", shown));
     }
-    for (const ElfSection& other : elf.sections) {
-        if (&other != found && share_bytes(other, *found)) {
-            return refuse(rules::elf_structure, fmt::format("sections {} and {} share bytes of the file",
-                                                            shown, base::printable(other.name)));
-        }
+    if (Outcome<void> single = alone(elf, *found); !single) {
+        return tl::unexpected(single.error());
     }
     return *found;
+}
+
+Outcome<void> replaceable(const Elf& elf, const ElfSegment& segment, std::uint64_t address,
+                          std::uint64_t size) {
+    const ElfRange range{segment.offset + (address - segment.address), size};
+    for (const ElfRange& header : elf.headers) {
+        if (header.meets(range)) {
+            return refuse(rules::elf_structure,
+                          fmt::format("at byte 0x{:X}: headers of the file stand in the place of the image",
+                                      header.offset));
+        }
+    }
+    for (const ElfSegment& other : elf.segments) {
+        if (&other != &segment && (range.meets({other.offset, other.size}) ||
+                                   ElfRange{address, size}.meets({other.address, other.memory}))) {
+            return refuse(rules::elf_structure,
+                          fmt::format("two segments hold the bytes at {}", address_text(address)));
+        }
+    }
+    if (!elf.sections.empty()) {
+        return replaceable_in_sections(elf, segment, address, size);
+    }
+    if (segment.writable) {
+        return refuse(rules::firmware_address,
+                      fmt::format("the segment at {} is writable", address_text(segment.address)), {},
+                      "reserve read-only data for the image");
+    }
+    return {};
 }
 
 }  // namespace cgw::firmware_file

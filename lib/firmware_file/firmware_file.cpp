@@ -93,7 +93,10 @@ std::vector<Area> FirmwareFile::areas() const {
     }
     const Program& program = std::get<Program>(content_);
     for (const ElfSegment& segment : program.elf.segments) {
-        areas.push_back({segment.address, std::span(program.bytes).subspan(segment.offset, segment.size)});
+        if (segment.size != 0) {
+            areas.push_back(
+                {segment.address, std::span(program.bytes).subspan(segment.offset, segment.size)});
+        }
     }
     return areas;
 }
@@ -163,17 +166,7 @@ Outcome<void> FirmwareFile::allows(std::uint64_t address, std::uint64_t size) co
     if (program == nullptr) {
         return {};
     }
-    const ElfSegment& segment = segment_of(*program, address, size);
-    const ElfRange range{segment.offset + (address - segment.address), size};
-    for (const ElfRange& header : program->elf.headers) {
-        if (header.meets(range)) {
-            return refuse(rules::elf_structure,
-                          fmt::format("at byte 0x{:X}: headers of the file stand in the "
-                                      "place of the image",
-                                      header.offset));
-        }
-    }
-    return {};
+    return replaceable(program->elf, segment_of(*program, address, size), address, size);
 }
 
 base::Bytes FirmwareFile::bytes() const {

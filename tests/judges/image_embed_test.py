@@ -83,7 +83,7 @@ class Embed(unittest.TestCase):
         self.assertEqual(self.section("linked.elf"), self.image + b"\xff" * (ROOM - len(self.image)))
         for name in ("fw.elf", "linked.elf"):
             self.assertRegex(self.good(CROSS + "readelf", "-SW", name),
-                             rf"\.cgw_config +PROGBITS +{PLACE:08x} +[0-9a-f]+ +{ROOM:06x}")
+                             rf"\.cgw_config +PROGBITS +{PLACE:08x} +[0-9a-f]+ +{ROOM:06x} +00 +A ")
             symbols = self.good(CROSS + "nm", name)
             for symbol, value in (("cgw_config_begin", PLACE), ("cgw_config_end", PLACE + ROOM)):
                 self.assertRegex(symbols, rf"{value:08x} \w {symbol}\n")
@@ -150,6 +150,8 @@ class Embed(unittest.TestCase):
         self.assertEqual(self.section("fw.elf"), self.bytes_of("small.bin").ljust(ROOM, b"\xff"))
 
     def test_refusals_write_nothing(self):
+        (self.dir / "data.c").write_text("unsigned char settings[8192] = {1};\n")
+        self.link("data.elf", "data.c", "-Wl,--undefined=settings")
         to = ("-o", "out")
         into = ("embed", "image.bin", "--into")
         (self.dir / "bad.bin").write_bytes(self.image[:100] + b"\0" + self.image[101:-1])
@@ -160,6 +162,8 @@ class Embed(unittest.TestCase):
         self.refused("[E0710 image-room]", *into, "fw.elf", "--address", hex(PLACE + 4096), *to)
         self.refused("[E0708 firmware-address]", *into, "fw.elf", "--address", "0x09000000", *to)
         self.refused("[E0701 firmware-kind]", *into, "image.bin", "--address", hex(PLACE), *to)
+        self.refused("section .data is writable", *into, "data.elf", "--section", ".data", *to)
+        self.refused("section .data is writable", *into, "data.elf", "--address", "0x20000000", "--fill", "0x00", *to)
         path = self.dir / self.hex_of("fw.elf", "ihex")
         self.refused("has no sections", *into, path.name, "--section", ".cgw_config", *to)
         self.refused("[E0711 image-occupied]", *into, path.name, "--address", "0x00000000", *to)
