@@ -149,6 +149,23 @@ class Embed(unittest.TestCase):
             self.assertEqual(said, self.good(CGW, "image", "verify", "small.bin").replace("small.bin", f"{name} at 0x0003E000"))
         self.assertEqual(self.section("fw.elf"), self.bytes_of("small.bin").ljust(ROOM, b"\xff"))
 
+    def test_a_private_output_stays_private(self):
+        where = ("--section", ".cgw_config", "-o")
+        (self.dir / "fw.elf").chmod(0o755)
+        for name, old, wanted in (("new", None, 0o755), ("private", 0o600, 0o700), ("team", 0o640, 0o750)):
+            if old is not None:
+                (self.dir / name).write_text("old")
+                (self.dir / name).chmod(old)
+            self.embed("image.bin", "fw.elf", *where, name)
+            self.assertEqual((self.dir / name).stat().st_mode & 0o777, wanted)
+        (self.dir / "fw.elf").chmod(0o600)
+        for name, wanted in (("secret", 0o600), ("open", 0o755)):
+            if name == "open":
+                (self.dir / name).write_text("old")
+                (self.dir / name).chmod(0o755)
+            self.embed("image.bin", "fw.elf", *where, name)
+            self.assertEqual((self.dir / name).stat().st_mode & 0o777, wanted)
+
     def test_refusals_write_nothing(self):
         (self.dir / "data.c").write_text("unsigned char settings[8192] = {1};\n")
         self.link("data.elf", "data.c", "-Wl,--undefined=settings")
