@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <filesystem>
+#include <optional>
 
 #include "base/files.hpp"
 #include "base/utf8.hpp"
@@ -76,14 +77,17 @@ std::string report(const Arguments& arguments, const std::string& output, const 
 // Whole or not at all, and then as it is on the disk.
 base::Result<void> write(const std::string& firmware, const std::string& output, const base::Bytes& content) {
     std::error_code ignored;
-    const std::filesystem::perms mode = std::filesystem::status(firmware, ignored).permissions();
-    if (base::Result<void> written = base::write_file(output, content); !written) {
+    const std::filesystem::file_status status = std::filesystem::status(firmware, ignored);
+    std::optional<std::filesystem::perms> model;  // a program stays one that can be run
+    if (std::filesystem::is_regular_file(status)) {
+        model = status.permissions();
+    }
+    if (base::Result<void> written = base::write_file(output, content, model); !written) {
         return written;
     }
     if (!std::filesystem::is_regular_file(output, ignored)) {
         return {};
     }
-    std::filesystem::permissions(output, mode, ignored);  // a program stays one that can be run
     const base::Result<std::string> read = base::read_file(output, content.size());
     if (!read || base::to_bytes(*read) != content) {
         return base::failure(fmt::format("{} was written, and reads back otherwise", output));

@@ -87,11 +87,17 @@ bool holds_already(const std::filesystem::path& target, std::span<const std::uin
 
 // A new file beside the target, so that the later rename stays on one file system.
 Result<void> write_temporary(const std::filesystem::path& temporary, const std::filesystem::path& target,
-                             std::span<const std::uint8_t> content) {
-    constexpr mode_t mode = S_IRUSR | S_IWUSR | S_IRGRP | S_IWGRP | S_IROTH | S_IWOTH;  // umask narrows it
+                             std::span<const std::uint8_t> content, std::optional<mode_t> exact) {
+    constexpr mode_t usual = S_IRUSR | S_IWUSR | S_IRGRP | S_IWGRP | S_IROTH | S_IWOTH;  // umask narrows it
+    constexpr mode_t permissions = 0777;
+    // Never more open than it is to become, not even while it is written.
+    const mode_t mode = exact ? *exact & permissions : usual;
     Descriptor file(::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode));
     if (file.get() < 0) {
         return failure(fmt::format("cannot write {}: {}", target.string(), reason()));
+    }
+    if (exact) {
+        ::fchmod(file.get(), *exact);  // what the umask took away; file systems without permissions refuse
     }
     const bool written = write_all(file.get(), content);
     const int write_error = errno;
@@ -102,6 +108,23 @@ Result<void> write_temporary(const std::filesystem::path& temporary, const std::
     const std::string why = std::strerror(written ? errno : write_error);
     ::unlink(temporary.c_str());
     return failure(fmt::format("cannot write {}: {}", target.string(), why));
+}
+
+// What a file is to have beside its content; nullopt: a new file like any other.
+std::optional<mode_t> mode_of(const std::filesystem::path& target,
+                              std::optional<std::filesystem::perms> model) {
+    constexpr mode_t every_bit = 07777, permissions = 0777, readable = 0444;
+    std::optional<mode_t> given;
+    if (model) {
+        given = static_cast<mode_t>(*model) & permissions;
+    }
+    struct stat old {};
+    if (::stat(target.c_str(), &old) != 0) {
+        return given;
+    }
+    const mode_t kept = old.st_mode & every_bit;  // a private file stays private
+    const mode_t readers = (kept & readable) >> 2U;
+    return kept | (given.value_or(0) & readers);
 }
 
 // A device or a pipe is written to, not replaced: --depfile /dev/null, -o /dev/full, a named pipe.
@@ -148,7 +171,8 @@ FileSet::~FileSet() {
     ::pthread_sigmask(SIG_SETMASK, &signals_before_, nullptr);
 }
 
-Result<void> FileSet::stage(const std::filesystem::path& target, std::span<const std::uint8_t> content) {
+Result<void> FileSet::stage(const std::filesystem::path& target, std::span<const std::uint8_t> content,
+                            std::optional<std::filesystem::perms> model) {
     std::error_code error;
     if (std::filesystem::is_directory(target, error)) {
         return failure(fmt::format("cannot write {}: it is a directory", target.string()));
@@ -167,12 +191,8 @@ Result<void> FileSet::stage(const std::filesystem::path& target, std::span<const
     const std::filesystem::path temporary =
         real.parent_path() /
         fmt::format(".{}.{}.{}.tmp", real.filename().string(), ::getpid(), staged_.size());
-    if (Result<void> written = write_temporary(temporary, target, content); !written) {
+    if (Result<void> written = write_temporary(temporary, target, content, mode_of(real, model)); !written) {
         return written;
-    }
-    struct stat old {};
-    if (::stat(real.c_str(), &old) == 0) {
-        ::chmod(temporary.c_str(), old.st_mode & 07777);  // a private file stays private
     }
     staged_.push_back({temporary, real, {}});
     return {};
@@ -210,9 +230,10 @@ bool same_file(const std::filesystem::path& a, const std::filesystem::path& b) {
     return std::filesystem::equivalent(a, b, error) && !error;
 }
 
-Result<void> write_file(const std::filesystem::path& target, std::span<const std::uint8_t> content) {
+Result<void> write_file(const std::filesystem::path& target, std::span<const std::uint8_t> content,
+                        std::optional<std::filesystem::perms> model) {
     FileSet files;
-    if (Result<void> staged = files.stage(target, content); !staged) {
+    if (Result<void> staged = files.stage(target, content, model); !staged) {
         return staged;
     }
     return files.commit();

@@ -3,6 +3,7 @@
 
 #include <csignal>
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -26,8 +27,11 @@ class FileSet {
     FileSet& operator=(const FileSet&) = delete;
     ~FileSet();
 
-    // A file whose content is the same already stays untouched, with its time stamp.
-    Result<void> stage(const std::filesystem::path& target, std::span<const std::uint8_t> content);
+    // A file whose content is the same already stays untouched, with its time stamp. An existing file keeps
+    // its permissions. With `model`, those of another file, a new file gets these, and an existing one can
+    // be executed by those who may read it and could execute the model.
+    Result<void> stage(const std::filesystem::path& target, std::span<const std::uint8_t> content,
+                       std::optional<std::filesystem::perms> model = {});
     Result<void> commit();
 
   private:
@@ -47,7 +51,8 @@ std::string beside(const std::string& file, const std::string& name);
 // Both paths name the same existing file, by whatever links and spellings.
 bool same_file(const std::filesystem::path& a, const std::filesystem::path& b);
 
-// One file, whole or not at all.
-Result<void> write_file(const std::filesystem::path& target, std::span<const std::uint8_t> content);
+// One file, whole or not at all; `model` as for FileSet::stage().
+Result<void> write_file(const std::filesystem::path& target, std::span<const std::uint8_t> content,
+                        std::optional<std::filesystem::perms> model = {});
 
 }  // namespace cgw::base

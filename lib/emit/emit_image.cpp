@@ -13,8 +13,8 @@ namespace {
 std::string s_record_of(const Plant& plant, const firmware_file::Memory& memory) {
     firmware_file::SRecord file;
     file.memory = memory;
-    file.header =
-        base::to_bytes(fmt::format("cgw {} {}", plant.tool_version_text, plant.configuration_id_text));
+    file.headers = {
+        {0, base::to_bytes(fmt::format("cgw {} {}", plant.tool_version_text, plant.configuration_id_text))}};
     file.counted = true;
     return firmware_file::write_s_record(file);
 }

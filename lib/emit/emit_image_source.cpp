@@ -149,7 +149,13 @@ std::string assembler_source(const Plant& plant, const Options& options) {
         "    .type {symbol}_size, %object\n"
         "{symbol}_size:\n"
         "    .long .L{symbol}_end - {symbol}\n"
-        "    .size {symbol}_size, 4\n",
+        "    .size {symbol}_size, 4\n"
+        "\n"
+        "/* Linux wants to be told that the stack holds no code; firmware linkers warn when only one object\n"
+        "   says so. True where the compiler takes this as a .S file: it makes __linux__ 1 there. */\n"
+        "    .ifc __linux__, 1\n"
+        "    .section .note.GNU-stack, \"\", %progbits\n"
+        "    .endif\n",
         fmt::arg("version", plant.tool_version_text), fmt::arg("symbol", options.symbol),
         fmt::arg("section", options.section), fmt::arg("alignment", options.alignment),
         fmt::arg("file", options.image_file));

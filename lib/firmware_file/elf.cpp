@@ -4,8 +4,6 @@
 
 #include <algorithm>
 
-#include "base/utf8.hpp"
-
 namespace cgw::firmware_file {
 namespace {
 
@@ -17,18 +15,17 @@ struct Layout {
     std::size_t word;  // bytes of an address or offset
     std::size_t header_size, program_offset, section_offset, program_entry, program_count, section_entry,
         section_count, names_index;
-    std::size_t program_size, p_offset, p_address, p_file_size, p_memory_size;
+    std::size_t program_size, p_offset, p_address, p_file_size, p_memory_size, p_flags;
     std::size_t section_size, s_flags, s_address, s_offset, s_size;
 };
-constexpr Layout layout_32{4, 52, 28, 32, 42, 44, 46, 48, 50, 32, 4, 8, 16, 20, 40, 8, 12, 16, 20};
-constexpr Layout layout_64{8, 64, 32, 40, 54, 56, 58, 60, 62, 56, 8, 16, 32, 40, 64, 8, 16, 24, 32};
+constexpr Layout layout_32{4, 52, 28, 32, 42, 44, 46, 48, 50, 32, 4, 8, 16, 20, 24, 40, 8, 12, 16, 20};
+constexpr Layout layout_64{8, 64, 32, 40, 54, 56, 58, 60, 62, 56, 8, 16, 32, 40, 4, 64, 8, 16, 24, 32};
 
 constexpr std::size_t class_at = 4, byte_order_at = 5, version_at = 6, type_at = 16, identification_size = 16;
 constexpr std::uint64_t extended_programs = 0xFFFF, extended_index = 0xFFFF;
-constexpr std::uint32_t executable = 2, shared = 3;                     // e_type
-constexpr std::uint32_t loaded = 1;                                     // p_type PT_LOAD
-constexpr std::uint32_t unused = 0, program_data = 1, no_contents = 8;  // sh_type
-constexpr std::uint64_t in_memory = 2, compressed = 0x800;              // sh_flags
+constexpr std::uint32_t executable = 2, shared = 3;  // e_type
+constexpr std::uint32_t loaded = 1;                  // p_type PT_LOAD
+constexpr std::uint32_t segment_writable = 2;        // p_flags
 constexpr std::uint64_t address_end = std::uint64_t{1} << 63U;
 constexpr std::size_t longest_name = 1024;  // nobody has longer ones, and a damaged file could have huge ones
 
@@ -127,19 +124,19 @@ class Reader {
                 continue;
             }
             const ElfSegment segment{address(at + layout_->p_address), address(at + layout_->p_offset),
-                                     address(at + layout_->p_file_size)};
-            const std::uint64_t memory_size = address(at + layout_->p_memory_size);
+                                     address(at + layout_->p_file_size), address(at + layout_->p_memory_size),
+                                     (word(at + layout_->p_flags) & segment_writable) != 0};
             if (!inside(segment.offset, segment.size, file_.size())) {
                 return damaged(at, fmt::format("segment {} lies outside the file", i));
             }
-            if (segment.size > memory_size || !inside(segment.address, memory_size, address_end)) {
+            if (segment.size > segment.memory || !inside(segment.address, segment.memory, address_end)) {
                 return damaged(at, fmt::format("segment {} does not fit its addresses", i));
             }
             bytes += segment.size;
             if (bytes > file_.size()) {
                 return damaged(at, "the segments lie over each other");
             }
-            if (segment.size != 0) {
+            if (segment.memory != 0) {
                 elf_.segments.push_back(segment);
             }
         }
@@ -206,75 +203,10 @@ class Reader {
     Elf elf_;
 };
 
-// The section's bytes are those that this segment loads at the section's address.
-bool holds(const ElfSegment& segment, const ElfSection& section) {
-    return section.offset >= segment.offset &&
-           inside(section.offset - segment.offset, section.size, segment.size) &&
-           section.address - segment.address == section.offset - segment.offset;
-}
-
-bool share_bytes(const ElfSection& a, const ElfSection& b) {
-    return a.has_contents() && b.has_contents() && ElfRange{a.offset, a.size}.meets({b.offset, b.size});
-}
-
-// Why no image can be put into it; nullptr when one can.
-const char* unfit(const ElfSection& section) {
-    if (section.type == no_contents) {
-        return "has no contents in the file (NOBITS)";
-    }
-    if (section.type != program_data) {
-        return "is no program data (PROGBITS)";
-    }
-    if ((section.flags & compressed) != 0) {
-        return "is compressed";
-    }
-    if ((section.flags & in_memory) == 0) {
-        return "is not loaded into the device";
-    }
-    return nullptr;
-}
-
 }  // namespace
-
-bool ElfSection::has_contents() const {
-    return type != unused && type != no_contents;
-}
 
 Outcome<Elf> read_elf(std::span<const std::uint8_t> file) {
     return Reader(file).read();
-}
-
-Outcome<ElfSection> find_section(const Elf& elf, std::string_view name) {
-    const ElfSection* found = nullptr;
-    const std::string shown = base::printable(name);
-    for (const ElfSection& section : elf.sections) {
-        if (section.name != name) {
-            continue;
-        }
-        if (found != nullptr) {
-            return refuse(rules::firmware_section, fmt::format("section {} exists twice", shown), {},
-                          "say where with --address");
-        }
-        found = &section;
-    }
-    if (found == nullptr) {
-        return refuse(rules::firmware_section, fmt::format("there is no section {}", shown));
-    }
-    if (const char* why = unfit(*found); why != nullptr) {
-        return refuse(rules::firmware_section, fmt::format("section {} {}", shown, why));
-    }
-    const auto loads = [&](const ElfSegment& segment) { return holds(segment, *found); };
-    if (std::count_if(elf.segments.begin(), elf.segments.end(), loads) != 1) {
-        return refuse(rules::firmware_section,
-                      fmt::format("section {} does not lie in one loaded segment", shown));
-    }
-    for (const ElfSection& other : elf.sections) {
-        if (&other != found && share_bytes(other, *found)) {
-            return refuse(rules::elf_structure, fmt::format("sections {} and {} share bytes of the file",
-                                                            shown, base::printable(other.name)));
-        }
-    }
-    return *found;
 }
 
 }  // namespace cgw::firmware_file

@@ -11,11 +11,13 @@
 
 namespace cgw::firmware_file {
 
-// A PT_LOAD segment, as far as it stands in the file.
+// A PT_LOAD segment that takes memory.
 struct ElfSegment {
     std::uint64_t address = 0;  // virtual: where the program sees it
     std::uint64_t offset = 0;   // in the file
     std::uint64_t size = 0;     // in the file
+    std::uint64_t memory = 0;   // bytes that it takes there, those of the file first
+    bool writable = false;
 
     friend bool operator==(const ElfSegment&, const ElfSegment&) = default;
 };
@@ -38,7 +40,8 @@ struct ElfRange {
     std::uint64_t size = 0;
 
     bool meets(const ElfRange& other) const {
-        return offset < other.offset + other.size && other.offset < offset + size;
+        return size != 0 && other.size != 0 && offset < other.offset + other.size &&
+               other.offset < offset + size;
     }
     friend bool operator==(const ElfRange&, const ElfRange&) = default;
 };
@@ -55,8 +58,15 @@ struct Elf {
 // and names outside the file, and addresses that wrap.
 Outcome<Elf> read_elf(std::span<const std::uint8_t> file);
 
-// The section that an image can be put into: the only one of its name, with contents that are plain program
+// The section that can have an image: the only one of its name, with contents that are plain program
 // data, in one loaded segment, and sharing its bytes with no other section.
 Outcome<ElfSection> find_section(const Elf& elf, std::string_view name);
+
+// Whether bytes of a segment, which lie in it as a whole, may be replaced. Refused when they are among the
+// headers or another segment has them too, in the file or in memory. In a program with sections they lie in
+// a single one, which is as find_section() wants it, neither writable nor code; without, in a segment that is
+// not writable.
+Outcome<void> replaceable(const Elf& elf, const ElfSegment& segment, std::uint64_t address,
+                          std::uint64_t size);
 
 }  // namespace cgw::firmware_file

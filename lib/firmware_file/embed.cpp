@@ -100,7 +100,21 @@ Outcome<Replaced> replaceable(const FirmwareFile& file, const Room& room, const 
     return covers ? Replaced::reserved : Replaced::nothing;
 }
 
-void prove(const Embedded& embedded, const FirmwareFile& before, const image::Image& image) {
+// Of a file that was read: what it says beside the bytes at their addresses.
+std::vector<std::string> other_records(Kind kind, std::span<const std::uint8_t> file) {
+    switch (kind) {
+        case Kind::intel_hex:
+            return other_intel_hex_records(file);
+        case Kind::s_record:
+            return other_s_records(file);
+        case Kind::elf:
+            break;
+    }
+    return {};
+}
+
+void prove(const Embedded& embedded, std::span<const std::uint8_t> firmware, const FirmwareFile& before,
+           const image::Image& image) {
     const Outcome<FirmwareFile> after = FirmwareFile::read(embedded.file);
     if (!after) {
         throw std::logic_error("the new firmware file cannot be read: " + after.error().message);
@@ -113,6 +127,9 @@ void prove(const Embedded& embedded, const FirmwareFile& before, const image::Im
     }
     if (!after->same_outside(before, embedded.address, embedded.address + embedded.size)) {
         throw std::logic_error("the new firmware file differs outside the image");
+    }
+    if (other_records(after->kind(), embedded.file) != other_records(before.kind(), firmware)) {
+        throw std::logic_error("the new firmware file has lost or changed a start or header record");
     }
 }
 
@@ -153,7 +170,7 @@ Outcome<Embedded> embed(std::span<const std::uint8_t> firmware, const image::Ima
     const FirmwareFile before = *file;
     file->put(address, bytes);
     embedded.file = file->bytes();
-    prove(embedded, before, image);
+    prove(embedded, firmware, before, image);
     return embedded;
 }
 

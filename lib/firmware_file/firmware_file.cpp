@@ -47,6 +47,11 @@ Outcome<FirmwareFile> FirmwareFile::read(std::span<const std::uint8_t> bytes) {
         return refuse(rules::firmware_kind,
                       "this is neither an ELF program nor an Intel HEX or S-record file");
     }
+    if (*kind != Kind::elf && bytes.size() > largest_record_file) {
+        return refuse(rules::firmware_kind,
+                      fmt::format("the {} file has {} bytes; more than 64 MiB are not read", to_text(*kind),
+                                  bytes.size()));
+    }
     const auto keep = [&file](auto content) -> Outcome<FirmwareFile> {
         if (!content) {
             return tl::unexpected(content.error());
@@ -88,7 +93,10 @@ std::vector<Area> FirmwareFile::areas() const {
     }
     const Program& program = std::get<Program>(content_);
     for (const ElfSegment& segment : program.elf.segments) {
-        areas.push_back({segment.address, std::span(program.bytes).subspan(segment.offset, segment.size)});
+        if (segment.size != 0) {
+            areas.push_back(
+                {segment.address, std::span(program.bytes).subspan(segment.offset, segment.size)});
+        }
     }
     return areas;
 }
@@ -158,17 +166,7 @@ Outcome<void> FirmwareFile::allows(std::uint64_t address, std::uint64_t size) co
     if (program == nullptr) {
         return {};
     }
-    const ElfSegment& segment = segment_of(*program, address, size);
-    const ElfRange range{segment.offset + (address - segment.address), size};
-    for (const ElfRange& header : program->elf.headers) {
-        if (header.meets(range)) {
-            return refuse(rules::elf_structure,
-                          fmt::format("at byte 0x{:X}: headers of the file stand in the "
-                                      "place of the image",
-                                      header.offset));
-        }
-    }
-    return {};
+    return replaceable(program->elf, segment_of(*program, address, size), address, size);
 }
 
 base::Bytes FirmwareFile::bytes() const {

@@ -15,6 +15,8 @@
 
 namespace cgw::firmware_file {
 
+inline constexpr std::size_t largest_record_file = std::size_t{64} * 1024 * 1024;  // Intel HEX, S-record
+
 // By the first bytes; nullopt for anything else.
 enum class Kind { elf, intel_hex, s_record };
 std::optional<Kind> kind_of(std::span<const std::uint8_t> bytes);
@@ -45,8 +47,8 @@ class FirmwareFile {
     // Contents of a section, by find_section() of elf.hpp; Intel HEX and S-record files have none.
     Outcome<Area> section(std::string_view name) const;
 
-    // Refuses to let bytes of an ELF program be replaced that are its own headers, which only a damaged or
-    // strange file has among what it loads for use.
+    // Refuses to let bytes of an ELF program be replaced that replaceable() of elf.hpp does not give; there
+    // must be such bytes.
     Outcome<void> allows(std::uint64_t address, std::uint64_t size) const;
 
     // Replaces bytes that it allows; those of an ELF program must all be there in one area.

@@ -42,6 +42,9 @@ class Reader {
         Lines lines(text);
         Line line;
         while (lines.next(line)) {
+            if (ended_ && line.is_dos_end()) {
+                continue;
+            }
             if (ended_) {
                 return refuse(rules::record_end, "something stands behind the end record", line.whole());
             }
@@ -115,6 +118,7 @@ class Reader {
                 return take_data(line, big_endian(std::span(*record).subspan(1, 2)), bytes);
             case end_of_file:
                 ended_ = true;
+                file_.end_address = static_cast<std::uint16_t>(big_endian(std::span(*record).subspan(1, 2)));
                 return {};
             case extended_segment:
             case extended_linear:
@@ -165,7 +169,7 @@ class Writer {
         }
         write_start(start_segment, file_.start_segment);
         write_start(start_linear, file_.start_linear);
-        record(end_of_file, 0, {});
+        record(end_of_file, file_.end_address, {});
         return std::move(text_);
     }
 
@@ -176,8 +180,8 @@ class Writer {
             if (address / bank != bank_) {
                 open_bank(address / bank);
             }
-            const std::size_t size =
-                std::min<std::uint64_t>({file_.style.data_bytes, rest.size(), bank - address % bank});
+            const std::size_t size = std::min<std::uint64_t>(
+                {up_to_multiple(address, file_.style.data_bytes), rest.size(), bank - address % bank});
             record(data, static_cast<std::uint16_t>(address % bank), rest.first(size));
             rest = rest.subspan(size);
             address += size;
@@ -224,6 +228,21 @@ Outcome<IntelHex> read_intel_hex(std::span<const std::uint8_t> text) {
 
 std::string write_intel_hex(const IntelHex& file) {
     return Writer(file).take();
+}
+
+std::vector<std::string> other_intel_hex_records(std::span<const std::uint8_t> text) {
+    constexpr std::size_t type_at = 7;
+    std::vector<std::string> records;
+    Lines lines(text);
+    Line line;
+    while (lines.next(line)) {
+        const std::string_view type = line.text.substr(std::min(type_at, line.text.size()), 2);
+        if (type == "01" || type == "03" || type == "05") {
+            records.push_back(line.upper_case());
+        }
+    }
+    std::sort(records.begin(), records.end());
+    return records;
 }
 
 }  // namespace cgw::firmware_file

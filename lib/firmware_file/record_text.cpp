@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <bit>
 
 #include "base/ascii.hpp"
 #include "base/utf8.hpp"
@@ -11,6 +12,7 @@ namespace cgw::firmware_file {
 namespace {
 
 constexpr std::string_view digits = "0123456789ABCDEF";
+constexpr std::size_t most_blocks = 65536;  // each costs memory, and no firmware has that many gaps
 
 // A place inside a line; columns count from 1.
 diagnostic::Range columns(std::uint32_t line, std::size_t first, std::size_t end) {
@@ -29,6 +31,16 @@ diagnostic::Range Line::range(std::size_t prefix, std::size_t first, std::size_t
 
 diagnostic::Range Line::whole() const {
     return columns(number, 1, text.size() + 1);
+}
+
+bool Line::is_dos_end() const {
+    return text.find_first_not_of('\x1A') == std::string_view::npos;
+}
+
+std::string Line::upper_case() const {
+    std::string upper(text);
+    std::transform(upper.begin(), upper.end(), upper.begin(), base::upper);
+    return upper;
 }
 
 bool Lines::next(Line& line) {
@@ -80,6 +92,10 @@ void encode(std::string& text, std::span<const std::uint8_t> bytes) {
     }
 }
 
+std::size_t up_to_multiple(std::uint64_t address, std::size_t size) {
+    return std::has_single_bit(size) ? size - static_cast<std::size_t>(address % size) : size;
+}
+
 void Pieces::add(std::uint64_t address, std::span<const std::uint8_t> bytes, const Line& line) {
     if (!bytes.empty()) {
         pieces_.push_back({address, bytes_.size(), bytes.size(), line.whole()});
@@ -104,6 +120,13 @@ Outcome<Memory> Pieces::join() {
                           again.where);
         }
         memory.append(piece.address, std::span(bytes_).subspan(piece.offset, piece.size));
+        if (memory.blocks().size() > most_blocks) {
+            return refuse(
+                diagnostic::rules::record_address,
+                fmt::format("this begins block {} of the data: a firmware does not have so many gaps",
+                            most_blocks + 1),
+                piece.where);
+        }
         last = &piece;
     }
     return memory;

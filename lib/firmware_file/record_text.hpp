@@ -28,6 +28,9 @@ struct Line {
     // Digits of byte number `first` up to the one before `last`, behind `prefix` characters.
     diagnostic::Range range(std::size_t prefix, std::size_t first, std::size_t last) const;
     diagnostic::Range whole() const;
+
+    bool is_dos_end() const;  // nothing but Ctrl-Z, with which old DOS tools end a text
+    std::string upper_case() const;
 };
 
 // The lines of a text that are not blank.
@@ -53,13 +56,17 @@ Outcome<base::Bytes> decode(const Line& line, std::size_t prefix);
 // Adds the bytes as upper-case digits.
 void encode(std::string& text, std::span<const std::uint8_t> bytes);
 
+// Bytes from an address to the next multiple of `size` when that is a power of two, else `size`: so that
+// records are cut where other tools cut them.
+std::size_t up_to_multiple(std::uint64_t address, std::size_t size);
+
 // The data of all records, in any order, until they are joined.
 class Pieces {
   public:
     void add(std::uint64_t address, std::span<const std::uint8_t> bytes, const Line& line);
 
     std::size_t longest() const { return longest_; }  // bytes
-    Outcome<Memory> join();                           // refuses an address that has two values
+    Outcome<Memory> join();  // refuses an address that has two values, and more than 65536 blocks
 
   private:
     struct Piece {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <numeric>
+#include <set>
 
 namespace cgw::firmware_file {
 namespace {
@@ -13,7 +14,6 @@ namespace rules = diagnostic::rules;
 
 constexpr std::size_t prefix = 2;     // "S1"
 constexpr std::size_t longest = 255;  // bytes that the length can tell: address, data, checksum
-constexpr std::size_t longest_header = longest - 3;
 
 enum class Role { header, data, reserved, count, end };
 
@@ -43,6 +43,9 @@ class Reader {
         Lines lines(text);
         Line line;
         while (lines.next(line)) {
+            if (ended_ && line.is_dos_end()) {
+                continue;
+            }
             if (ended_) {
                 return refuse(rules::record_end, "something stands behind the end record", line.whole());
             }
@@ -129,7 +132,8 @@ class Reader {
             return {};
         }
         if (type.role == Role::header) {
-            file_.header.assign(bytes.begin(), bytes.end());
+            file_.headers.push_back(
+                {static_cast<std::uint16_t>(address), base::Bytes(bytes.begin(), bytes.end())});
             return {};
         }
         if (!bytes.empty()) {
@@ -168,8 +172,8 @@ class Writer {
     }
 
     std::string take() {
-        if (!file_.header.empty()) {
-            record('0', 2, 0, std::span(file_.header).first(std::min(file_.header.size(), longest_header)));
+        for (const SRecordHeader& header : file_.headers) {
+            record('0', 2, header.address, header.bytes);
         }
         for (const Block& block : file_.memory.blocks()) {
             write(block);
@@ -187,7 +191,7 @@ class Writer {
         const std::size_t most = std::min(file_.style.data_bytes, longest - address_bytes_ - 1);
         std::uint64_t address = block.address;
         for (std::span<const std::uint8_t> rest = block.bytes; !rest.empty();) {
-            const std::size_t size = std::min(most, rest.size());
+            const std::size_t size = std::min(up_to_multiple(address, most), rest.size());
             record(static_cast<char>('0' + address_bytes_ - 1), address_bytes_,
                    static_cast<std::uint32_t>(address), rest.first(size));
             ++records_;
@@ -224,6 +228,28 @@ Outcome<SRecord> read_s_record(std::span<const std::uint8_t> text) {
 
 std::string write_s_record(const SRecord& file) {
     return Writer(file).take();
+}
+
+std::vector<std::string> other_s_records(std::span<const std::uint8_t> text) {
+    std::set<std::string> once;
+    std::vector<std::string> records;
+    Lines lines(text);
+    Line line;
+    while (lines.next(line)) {
+        const std::string record = line.upper_case();
+        if (record.starts_with("S0")) {
+            records.push_back(record);
+        } else if (record.starts_with("S5") || record.starts_with("S6")) {
+            once.insert("count");
+        } else if (record.starts_with("S7") || record.starts_with("S8") || record.starts_with("S9")) {
+            constexpr std::size_t address_at = 4, checksum_size = 2;
+            const std::string address = record.substr(address_at, record.size() - address_at - checksum_size);
+            once.insert("start " + address.substr(std::min(address.find_first_not_of('0'), address.size())));
+        }
+    }
+    records.insert(records.end(), once.begin(), once.end());
+    std::sort(records.begin(), records.end());
+    return records;
 }
 
 }  // namespace cgw::firmware_file

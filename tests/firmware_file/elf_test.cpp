@@ -22,7 +22,7 @@ TEST(ElfFile, is_read_in_both_classes_and_byte_orders) {
     for (const ElfBuilder& kind : kinds) {
         const Outcome<Elf> elf = read_elf(kind.build());
         ASSERT_EQ(why(elf), "") << kind.wide << kind.big;
-        EXPECT_EQ(elf->segments, (std::vector<ElfSegment>{{0x08000000, 0x200, 0x1000}}));
+        EXPECT_EQ(elf->segments, (std::vector<ElfSegment>{{0x08000000, 0x200, 0x1000, 0x1040, false}}));
         ASSERT_EQ(elf->sections.size(), 8U);
         const Outcome<ElfSection> section = find_section(*elf, ".cgw_config");
         ASSERT_EQ(why(section), "");

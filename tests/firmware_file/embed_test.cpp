@@ -29,6 +29,7 @@ IntelHex hex_file() {
     IntelHex file;
     file.memory = Memory(0x08000000, base::Bytes(0x100, 0x4B));
     file.start_linear = 0x080000ED;
+    file.end_address = 0x100;
     return file;
 }
 base::Bytes bytes_of(const IntelHex& file) {
@@ -135,13 +136,17 @@ TEST(EmbedIntoHex, refuses_odd_places) {
               "firmware-kind: this is neither an ELF program nor an Intel HEX or S-record file");
     EXPECT_EQ(why(embed({}, sample.image, at(place))),
               "firmware-kind: this is neither an ELF program nor an Intel HEX or S-record file");
+    base::Bytes large(largest_record_file + 1, '\n');
+    large[0] = ':';
+    EXPECT_EQ(why(embed(large, sample.image, at(place))),
+              "firmware-kind: the Intel HEX file has 67108865 bytes; more than 64 MiB are not read");
 }
 
 TEST(EmbedIntoSRecord, adds_the_image_and_keeps_header_start_and_count) {
     const Sample sample;
     SRecord file;
     file.memory = Memory(0x08000000, base::Bytes(0x100, 0x4B));
-    file.header = base::to_bytes("firmware");
+    file.headers = {{0, base::to_bytes("firmware")}, {7, {}}};
     file.start = 0x080000ED;
     file.counted = true;
     const Outcome<Embedded> embedded = embed(base::to_bytes(write_s_record(file)), sample.image, at(place));
@@ -188,8 +193,7 @@ TEST(EmbedIntoElf, refuses_what_is_too_small_used_or_not_loaded) {
         fmt::format("image-room: the segment ends 256 bytes behind 0x08000F00, the image needs {}", size));
     EXPECT_EQ(why(embed(bytes, sample.image, at(0x08001000))),
               "firmware-address: no loaded segment has contents at 0x08001000");
-    EXPECT_EQ(why(embed(bytes, sample.image, at(0x08000000))),
-              "image-occupied: at 0x08000000 stands 0x4B, and no image: the area is not free");
+    EXPECT_EQ(why(embed(bytes, sample.image, at(0x08000000))), "firmware-section: section .text is code");
     const std::size_t section = builder.sections_offset() + 2 * builder.section_size();
     base::Bytes small = bytes;
     builder.set(small, section + 20, 0x100, 4);
@@ -206,6 +210,80 @@ TEST(EmbedIntoElf, refuses_what_is_too_small_used_or_not_loaded) {
               "image-occupied: at 0x08000FFF stands 0x07, and no image: the area is not free");
     std::fill(bytes.begin() + 0x300, bytes.begin() + 0x1200, 0);
     EXPECT_EQ(why(embed(bytes, sample.image, in(".cgw_config"))), "");
+}
+
+TEST(EmbedIntoElf, refuses_writable_sections_code_and_what_belongs_to_several) {
+    const Sample sample(false);
+    const ElfBuilder builder;
+    const base::Bytes good = builder.build();
+    const std::size_t section = builder.sections_offset() + 2 * builder.section_size();
+    const auto with_flags = [&](std::uint64_t flags, const EmbedOptions& options) {
+        base::Bytes bytes = good;
+        builder.set(bytes, section + 8, flags, 4);
+        return why(embed(bytes, sample.image, options));
+    };
+    for (const EmbedOptions& options : {in(".cgw_config"), at(ElfBuilder::config)}) {
+        EXPECT_EQ(with_flags(2, options), "");
+        EXPECT_EQ(with_flags(3, options), "firmware-section: section .cgw_config is writable");
+        EXPECT_EQ(with_flags(6, options), "firmware-section: section .cgw_config is code");
+    }
+    EXPECT_EQ(with_flags(0x802, at(ElfBuilder::config)),
+              "firmware-section: section .cgw_config is compressed");
+    EXPECT_EQ(with_flags(0, at(ElfBuilder::config)), "firmware-address: no section stands at 0x08000100");
+    base::Bytes twin = good;  // .twin in the middle of .cgw_config
+    builder.set(twin, section + builder.section_size() + 16, 0x400, 4);
+    EXPECT_EQ(why(embed(twin, sample.image, at(ElfBuilder::config))),
+              "elf-structure: sections .cgw_config and .twin share bytes of the file");
+}
+
+TEST(EmbedIntoElf, does_not_run_into_the_next_section) {
+    const Sample sample(false);
+    const ElfBuilder builder;
+    base::Bytes bytes = builder.build();
+    const std::size_t section = builder.sections_offset() + 2 * builder.section_size();
+    builder.set(bytes, section + 20, 0x88, 4);
+    EXPECT_EQ(
+        why(embed(bytes, sample.image, at(ElfBuilder::config + 0x80))),
+        fmt::format("image-room: section .cgw_config ends 8 bytes behind 0x08000180, the image needs {}",
+                    sample.bytes.size()));
+    EXPECT_EQ(why(embed(bytes, sample.image, at(ElfBuilder::config + 0x88))),
+              "firmware-address: no section stands at 0x08000188");
+}
+
+TEST(EmbedIntoElf, without_sections_takes_read_only_segments) {
+    const Sample sample(false);
+    const ElfBuilder builder;
+    base::Bytes bytes = builder.build();
+    builder.set(bytes, 32, 0, 4);
+    builder.set(bytes, 48, 0, 2);
+    EXPECT_EQ(why(embed(bytes, sample.image, at(ElfBuilder::config))), "");
+    builder.set(bytes, 52 + 24, 6, 4);
+    EXPECT_EQ(why(embed(bytes, sample.image, at(ElfBuilder::config))),
+              "firmware-address: the segment at 0x08000000 is writable");
+}
+
+// A second segment of 8 bytes, then one that has memory only.
+TEST(EmbedIntoElf, refuses_bytes_and_addresses_that_another_segment_has_too) {
+    const Sample sample(false);
+    const ElfBuilder builder;
+    const base::Bytes good = builder.build();
+    const auto with_second = [&](std::uint64_t offset, std::uint64_t address, std::uint64_t size) {
+        base::Bytes bytes = good;
+        builder.set(bytes, 44, 2, 2);
+        std::copy_n(bytes.begin() + 52, 32, bytes.begin() + 84);
+        builder.set(bytes, 84 + 4, offset, 4);
+        builder.set(bytes, 84 + 8, address, 4);
+        builder.set(bytes, 84 + 16, size, 4);
+        builder.set(bytes, 84 + 20, 8, 4);
+        return why(embed(bytes, sample.image, in(".cgw_config")));
+    };
+    const std::string twice = "elf-structure: two segments hold the bytes at 0x08000100";
+    EXPECT_EQ(with_second(0x1F8, 0x20000000, 8), "");
+    EXPECT_EQ(with_second(0x400, 0x20000000, 8), twice);
+    EXPECT_EQ(with_second(0x1F8, 0x08000200, 8), twice);
+    EXPECT_EQ(with_second(0x1F8, 0x08000FF8, 0), twice);
+    EXPECT_EQ(with_second(0x1F8, 0x08001000, 0), "");
+    EXPECT_EQ(with_second(0x400, 0x20000000, 0), "");
 }
 
 // Whatever the headers say: an error, or a file in which nothing but the image has changed (embed() proves

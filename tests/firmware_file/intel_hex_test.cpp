@@ -58,6 +58,54 @@ TEST(IntelHexFile, goes_over_to_linear_addresses_beyond_the_reach_of_segments) {
               ":02000004000FEB\n:02FFFE000102FE\n:020000040010EA\n:0100000003FC\n:00000001FF\n");
 }
 
+TEST(IntelHexFile, keeps_the_start_address_in_its_end_record) {
+    const Outcome<IntelHex> file = read(":0100000055AA\n:00010001FE\n");
+    ASSERT_EQ(refusal(file), "");
+    EXPECT_EQ(file->end_address, 0x100);
+    EXPECT_EQ(write_intel_hex(*file), ":0100000055AA\n:00010001FE\n");
+}
+
+TEST(IntelHexFile, tells_what_it_has_beside_its_data) {
+    const auto others = [](const std::string& text) { return other_intel_hex_records(base::to_bytes(text)); };
+    EXPECT_EQ(others(good), (std::vector<std::string>{":00000001FF", ":04000005080000ED02"}));
+    EXPECT_EQ(others(":04000005080000ed02\r\n:040000031000F000F9\r\n:00010001fe  \r\n\x1A"),
+              (std::vector<std::string>{":00010001FE", ":040000031000F000F9", ":04000005080000ED02"}));
+}
+
+TEST(IntelHexFile, is_cut_at_multiples_of_its_record_length_when_that_is_a_power_of_two) {
+    IntelHex file;
+    file.style.data_bytes = 4;
+    file.memory = Memory(3, base::Bytes{1, 2, 3, 4, 5, 6});
+    EXPECT_EQ(write_intel_hex(file), ":0100030001FB\n:0400040002030405EA\n:0100080006F1\n:00000001FF\n");
+    file.style.data_bytes = 5;
+    EXPECT_EQ(write_intel_hex(file), ":050003000102030405E9\n:0100080006F1\n:00000001FF\n");
+}
+
+TEST(IntelHexFile, may_end_like_a_text_of_dos) {
+    EXPECT_EQ(refusal(read(good + "\x1A")), "");
+    EXPECT_EQ(refusal(read(good + "\x1A\x1A\r\n")), "");
+    EXPECT_EQ(refusal(read(good + "\x1A\n:00000001FF")),
+              "8:1-12 record-end: something stands behind the end record");
+    EXPECT_EQ(refusal(read("\x1A" + good)), "1:1-17 record-line: a record begins with ':'");
+}
+
+// Each gap costs memory of its own.
+TEST(IntelHexFile, is_refused_when_it_has_more_gaps_than_any_firmware) {
+    Pieces pieces;
+    const Line line{":", 7};
+    for (std::uint64_t i = 0; i < 65536; ++i) {
+        pieces.add(2 * i, base::Bytes{1}, line);
+    }
+    EXPECT_EQ(refusal(Pieces(pieces).join()), "");
+    pieces.add(3, base::Bytes{1}, line);  // fills a gap
+    EXPECT_EQ(refusal(Pieces(pieces).join()), "");
+    pieces.add(1000000, base::Bytes{1}, line);
+    pieces.add(2000000, base::Bytes{1}, line);
+    EXPECT_EQ(
+        refusal(pieces.join()),
+        "7:1-2 record-address: this begins block 65537 of the data: a firmware does not have so many gaps");
+}
+
 TEST(IntelHexFile, is_refused_at_the_place_of_its_fault) {
     const auto with = [](const std::string& old, const std::string& text) {
         return refusal(read(replaced(good, old, text)));

@@ -27,7 +27,7 @@ TEST(SRecordFile, is_read_and_written_back_the_same) {
     ASSERT_EQ(file->memory.blocks().size(), 1U);
     EXPECT_EQ(file->memory.blocks()[0].address, 0x080000F0U);
     EXPECT_EQ(file->memory.blocks()[0].bytes.size(), 20U);
-    EXPECT_EQ(file->header, base::to_bytes("HDR"));
+    EXPECT_EQ(file->headers, (std::vector<SRecordHeader>{{0, base::to_bytes("HDR")}}));
     EXPECT_EQ(file->start, 0x080000EDU);
     EXPECT_EQ(write_s_record(*file), good);
 }
@@ -40,6 +40,38 @@ TEST(SRecordFile, keeps_the_width_of_its_addresses_until_they_need_more) {
     EXPECT_EQ(write_s_record(*file), "S206000010AABB84\r\nS20501000001F8\r\nS804000000FB\r\n");
     file->memory.put(0xFFFFFFFF, base::Bytes{1});
     EXPECT_EQ(write_s_record(*file).substr(0, 4), "S307");
+}
+
+TEST(SRecordFile, keeps_all_its_headers_also_empty_ones_and_those_with_an_address) {
+    const std::string text = "S0030000FC\nS00600004844521B\nS00412344174\nS1050010AABB85\nS9030000FC\n";
+    const Outcome<SRecord> file = read(text);
+    ASSERT_EQ(refusal(file), "");
+    EXPECT_EQ(file->headers, (std::vector<SRecordHeader>{
+                                 {0, {}}, {0, base::to_bytes("HDR")}, {0x1234, base::to_bytes("A")}}));
+    EXPECT_EQ(write_s_record(*file), text);
+}
+
+TEST(SRecordFile, tells_what_it_has_beside_its_data) {
+    const auto others = [](const std::string& text) { return other_s_records(base::to_bytes(text)); };
+    EXPECT_EQ(others(good), (std::vector<std::string>{"S00600004844521B", "count", "start 80000ED"}));
+    EXPECT_EQ(others("S0030000fc\r\nS0030000FC \nS9031234B6\n\x1A"),
+              (std::vector<std::string>{"S0030000FC", "S0030000FC", "start 1234"}));
+    EXPECT_EQ(others("S70500001234B4"), others("S9031234B6"));
+    EXPECT_NE(others("S9031234B6"), others("S9031235B5"));
+    EXPECT_EQ(others("S9030000FC"), std::vector<std::string>{"start "});
+}
+
+TEST(SRecordFile, is_cut_at_multiples_of_its_record_length) {
+    SRecord file;
+    file.style.data_bytes = 4;
+    file.memory = Memory(0x1003, base::Bytes{1, 2, 3, 4, 5, 6});
+    EXPECT_EQ(write_s_record(file), "S104100301E7\nS107100402030405D6\nS104100806DD\nS9030000FC\n");
+}
+
+TEST(SRecordFile, may_end_like_a_text_of_dos) {
+    EXPECT_EQ(refusal(read(good + "\x1A\x1A")), "");
+    EXPECT_EQ(refusal(read(good + "\x1A" + "S5030002FA")),
+              "6:1-12 record-end: something stands behind the end record");
 }
 
 TEST(SRecordFile, is_refused_at_the_place_of_its_fault) {

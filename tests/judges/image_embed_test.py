@@ -83,7 +83,7 @@ class Embed(unittest.TestCase):
         self.assertEqual(self.section("linked.elf"), self.image + b"\xff" * (ROOM - len(self.image)))
         for name in ("fw.elf", "linked.elf"):
             self.assertRegex(self.good(CROSS + "readelf", "-SW", name),
-                             rf"\.cgw_config +PROGBITS +{PLACE:08x} +[0-9a-f]+ +{ROOM:06x}")
+                             rf"\.cgw_config +PROGBITS +{PLACE:08x} +[0-9a-f]+ +{ROOM:06x} +00 +A ")
             symbols = self.good(CROSS + "nm", name)
             for symbol, value in (("cgw_config_begin", PLACE), ("cgw_config_end", PLACE + ROOM)):
                 self.assertRegex(symbols, rf"{value:08x} \w {symbol}\n")
@@ -149,7 +149,26 @@ class Embed(unittest.TestCase):
             self.assertEqual(said, self.good(CGW, "image", "verify", "small.bin").replace("small.bin", f"{name} at 0x0003E000"))
         self.assertEqual(self.section("fw.elf"), self.bytes_of("small.bin").ljust(ROOM, b"\xff"))
 
+    def test_a_private_output_stays_private(self):
+        where = ("--section", ".cgw_config", "-o")
+        (self.dir / "fw.elf").chmod(0o755)
+        for name, old, wanted in (("new", None, 0o755), ("private", 0o600, 0o700), ("team", 0o640, 0o750)):
+            if old is not None:
+                (self.dir / name).write_text("old")
+                (self.dir / name).chmod(old)
+            self.embed("image.bin", "fw.elf", *where, name)
+            self.assertEqual((self.dir / name).stat().st_mode & 0o777, wanted)
+        (self.dir / "fw.elf").chmod(0o600)
+        for name, wanted in (("secret", 0o600), ("open", 0o755)):
+            if name == "open":
+                (self.dir / name).write_text("old")
+                (self.dir / name).chmod(0o755)
+            self.embed("image.bin", "fw.elf", *where, name)
+            self.assertEqual((self.dir / name).stat().st_mode & 0o777, wanted)
+
     def test_refusals_write_nothing(self):
+        (self.dir / "data.c").write_text("unsigned char settings[8192] = {1};\n")
+        self.link("data.elf", "data.c", "-Wl,--undefined=settings")
         to = ("-o", "out")
         into = ("embed", "image.bin", "--into")
         (self.dir / "bad.bin").write_bytes(self.image[:100] + b"\0" + self.image[101:-1])
@@ -160,6 +179,8 @@ class Embed(unittest.TestCase):
         self.refused("[E0710 image-room]", *into, "fw.elf", "--address", hex(PLACE + 4096), *to)
         self.refused("[E0708 firmware-address]", *into, "fw.elf", "--address", "0x09000000", *to)
         self.refused("[E0701 firmware-kind]", *into, "image.bin", "--address", hex(PLACE), *to)
+        self.refused("section .data is writable", *into, "data.elf", "--section", ".data", *to)
+        self.refused("section .data is writable", *into, "data.elf", "--address", "0x20000000", "--fill", "0x00", *to)
         path = self.dir / self.hex_of("fw.elf", "ihex")
         self.refused("has no sections", *into, path.name, "--section", ".cgw_config", *to)
         self.refused("[E0711 image-occupied]", *into, path.name, "--address", "0x00000000", *to)

@@ -89,6 +89,12 @@ class Forms(unittest.TestCase):
         self.check_program("image.o", "-Wl,--fatal-warnings")
         self.run_(CROSS + "as", "plant.s", "-o", "cross.o")
         self.check_object("cross.o")
+        (self.dir / "plant.s").rename(self.dir / "plant.S")
+        self.run_("gcc", "-c", "plant.S", "-o", "image.o")
+        self.check_program("image.o", "-Wl,--fatal-warnings")
+        self.run_(CROSS + "gcc", *CPU, "-c", "plant.S", "-o", "cross.o")
+        self.check_object("cross.o")
+        self.assertNotIn("GNU-stack", self.run_(CROSS + "readelf", "-SW", "cross.o"))
 
 
 missing = [name for name in ("gcc", "as", CROSS + "gcc", CROSS + "objcopy") if shutil.which(name) is None]
