@@ -66,10 +66,8 @@ Disturbance jam(BusName bus, std::string name, std::set<unsigned> errors) {
 }
 
 Disturbance device_fault(const NamedFault& named, device::Fault cause) {
-    std::set<unsigned> errors{12411};
-    if (const unsigned error = device::row_of(cause).canopen_error; error != 0) {
-        errors.insert(error);
-    }
+    // 0 stands for none, which nobody shows.
+    std::set<unsigned> errors{12411, device::row_of(cause).error, device::row_of(cause).canopen_error};
     return {std::string(named.name), std::move(errors),
             [cause](World& world) { world.plant().report(cause, true); },
             [cause](World& world) { world.plant().report(cause, false); }};

@@ -51,6 +51,15 @@ void Rules::can2_was_cut() {
     ++cuts_;
 }
 
+void Rules::allow(const std::set<unsigned>& errors) {
+    allowed_.insert(errors.begin(), errors.end());
+    for (const device::FaultRow& row : device::fault_rows()) {
+        if (row.error != 0 && errors.contains(row.canopen_error)) {
+            allowed_.insert(row.error);
+        }
+    }
+}
+
 void Rules::allow_none() {
     allowed_.clear();
     alarms_allowed_ = false;
@@ -67,12 +76,7 @@ void Rules::look(const Look& look) {
     if (!was_operational && look.pdos_received != last_.pdos_received) {
         blame("rpdo-outside-operational", look.now, "taken");
     }
-    for (unsigned bit = 0; look.canopen_errors != last_.canopen_errors && bit < facts::word_bits; ++bit) {
-        const unsigned error = facts::first_canopen_error + bit;
-        if (((unsigned{look.canopen_errors} >> bit) & 1U) != 0 && !allowed_.contains(error)) {
-            blame("error-without-cause", look.now, fmt::format("{}", error));
-        }
-    }
+    judge_errors(look);
     if (look.alarms && !last_.alarms) {
         ++alarms_;
         if (!alarms_allowed_) {
@@ -91,6 +95,37 @@ void Rules::look(const Look& look) {
     last_ = look;
     judge_binary(look.now);
     judge_waiting(look.now);
+}
+
+// Those that have just appeared, in 2005h and in 2000h:1..6.
+void Rules::judge_errors(const Look& look) {
+    const auto judge = [&](unsigned first, unsigned now, unsigned before) {
+        const unsigned risen = now & ~before;
+        for (unsigned bit = 0; (risen >> bit) != 0; ++bit) {
+            if (((risen >> bit) & 1U) != 0 && !may_show(first + bit, look)) {
+                blame("error-without-cause", look.now, fmt::format("{}", first + bit));
+            }
+        }
+    };
+    judge(facts::first_canopen_error, look.canopen_errors, last_.canopen_errors);
+    for (unsigned word = 0; word < facts::error_words; ++word) {
+        if (word != error_pair && word != error_pair + 1) {
+            judge(facts::error_number(word * facts::word_bits), look.binary[word], last_.binary[word]);
+        }
+    }
+}
+
+// A sensor's error is the governor's, and may follow from anything that keeps receive PDOs away.
+bool Rules::may_show(unsigned error, const Look& look) const {
+    constexpr unsigned first_sensor = 900;
+    constexpr unsigned first_sensor_error = 3005;
+    for (std::size_t i = 0; i < image_->sensor_count(); ++i) {
+        if (error == first_sensor_error + image_->sensor(i).number - first_sensor) {
+            return true;
+        }
+    }
+    return allowed_.contains(error) ||
+           (error == device::GatewayErrors::can_open_error && look.canopen_errors != 0);
 }
 
 void Rules::follow(GatewayState state, Time now, bool hides_states) {

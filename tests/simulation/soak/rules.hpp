@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "canopen/protocol.hpp"
+#include "device/gateway_errors.hpp"
 #include "device/governor_link.hpp"
 #include "frame/frame.hpp"
 #include "image/image.hpp"
@@ -76,7 +77,8 @@ class Rules {
     void can2_was_cut();
 
     // Errors and alarms that have a cause now.
-    void allow(const std::set<unsigned>& errors) { allowed_.insert(errors.begin(), errors.end()); }
+    // Those of 2005h bring the gateway's own of 2000h with them.
+    void allow(const std::set<unsigned>& errors);
     void allow_alarms() { alarms_allowed_ = true; }
     void allow_none();
 
@@ -98,16 +100,20 @@ class Rules {
     // How long 2000h may differ from what TPDO1..3 said last. Without main cycles of its governor a gateway
     // sends nothing, and notices it after half a second.
     static constexpr Time binary_patience = 1'000'000;  // us
+    static constexpr std::size_t error_pair = 2;  // 2000h:3 and 4, where no error of the gateway's own is
 
   private:
     using Words = device::PdoWords;
 
     void blame(std::string_view rule, Time now, const std::string& what);
     void follow(GatewayState state, Time now, bool hides_states);
+    void judge_answer(const frame::Frame& frame, GatewayState state, Time now);
     void judge_boot_up(const frame::Frame& frame, bool taken, Time now);
     void judge_heartbeat(const frame::Frame& frame, GatewayState state, Time now);
     void judge_words(std::size_t position, const frame::Frame& frame, Time now);
     void judge_error_words(const frame::Frame& frame, Time now);
+    void judge_errors(const Look& look);
+    bool may_show(unsigned error, const Look& look) const;
     void judge_waiting(Time now);
     void judge_binary(Time now);
     std::uint32_t sdo_answer() const;

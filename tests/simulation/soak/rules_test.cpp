@@ -198,7 +198,7 @@ TEST_F(SoakRules, see_words_older_than_those_before) {
 TEST_F(SoakRules, see_a_change_that_is_never_sent) {
     pass(2 * Rules::binary_patience);
     EXPECT_TRUE(rules_.broken().empty());
-    look_.binary[5] = 1;
+    look_.binary[3] = 1;
     look();
     pass(2 * Rules::binary_patience);
     expect_broken("tpdo-stale");
@@ -256,6 +256,38 @@ TEST_F(SoakRules, see_a_boot_up_without_initialisation) {
     expect_broken("boot-up-twice");
 }
 
+TEST_F(SoakRules, see_an_identifier_that_is_not_the_gateways) {
+    frame::Frame frame = sdo_answer();
+    frame.id = 0x481;
+    offer(frame);
+    expect_broken("stray-frame");
+}
+
+TEST_F(SoakRules, see_a_tpdo_that_is_not_active) {
+    std::size_t position = 0;
+    while (position < facts::tpdo_count && image_.pdo(position).active) {
+        ++position;
+    }
+    ASSERT_LT(position, facts::tpdo_count);
+    frame::Frame frame;
+    frame.id = image_.pdo(position).cob_id;
+    offer(frame);
+    expect_broken("stray-frame");
+}
+
+TEST_F(SoakRules, see_an_extended_frame_with_a_tpdos_identifier) {
+    frame::Frame frame = tpdo(4, deliver());
+    frame.extended = true;
+    offer(frame);
+    expect_broken("stray-frame");
+}
+
+TEST_F(SoakRules, see_an_answer_in_stopped) {
+    state(GatewayState::stopped);
+    offer(sdo_answer());
+    expect_broken("answer-outside-its-states");
+}
+
 TEST_F(SoakRules, see_what_overtakes_the_boot_up) {
     state(GatewayState::init);
     state(GatewayState::pre_operational);
@@ -275,6 +307,26 @@ TEST_F(SoakRules, see_an_error_without_cause_and_accept_one_that_has_one) {
     look();
     EXPECT_TRUE(rules_.broken().empty());
     look_.canopen_errors = 1U << 9;
+    look();
+    expect_broken("error-without-cause");
+}
+
+TEST_F(SoakRules, see_an_error_of_2000h_without_cause_and_accept_those_that_have_one) {
+    rules_.allow({12422});
+    look_.canopen_errors = 1U << 11;
+    look_.binary[4] = (1U << 7) | (1U << 10);  // 3071, 3074
+    look_.binary[0] = 1U << 5;                 // 3005, of sensor 900
+    look();
+    look_.binary[2] = 0xFFFF;  // flickers
+    look();
+    EXPECT_TRUE(rules_.broken().empty());
+    look_.binary[5] = 1U << 14;  // 3094
+    look();
+    expect_broken("error-without-cause");
+}
+
+TEST_F(SoakRules, see_3074_without_an_error_of_canopen) {
+    look_.binary[4] = 1U << 10;
     look();
     expect_broken("error-without-cause");
 }
