@@ -73,14 +73,27 @@ Disturbance device_fault(const NamedFault& named, device::Fault cause) {
             [cause](World& world) { world.plant().report(cause, false); }};
 }
 
+std::set<Alarm> alarms_of(EngineFault fault) {
+    switch (fault) {
+        case EngineFault::oil_leak:
+            return {Alarm::low_oil_pressure, Alarm::lost_oil_pressure};
+        case EngineFault::cooling_failure:
+            return {Alarm::hot_coolant, Alarm::overheated_coolant};
+        case EngineFault::charge_air_cooler:
+            return {Alarm::hot_charge_air};
+        case EngineFault::load_rejection:
+        case EngineFault::actuator_stuck:
+            return {Alarm::overspeed};
+    }
+    return {};
+}
+
 Disturbance engine_fault(const NamedFault& named, EngineFault cause) {
     Disturbance disturbance{std::string(named.name),
                             {},
-                            [cause](World& world) {
-                                world.rules().allow_alarms();
-                                world.plant().report(cause, true);
-                            },
+                            [cause](World& world) { world.plant().report(cause, true); },
                             [cause](World& world) { world.plant().report(cause, false); }};
+    disturbance.alarms = alarms_of(cause);
     disturbance.lasts = 30 * second;  // nothing breaks from one moment to the next
     return disturbance;
 }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "canopen/nmt.hpp"
 #include "simulation/soak/rules.hpp"
 #include "wire/little_endian.hpp"
 
@@ -69,6 +70,10 @@ std::optional<std::size_t> Rules::tpdo_of(const frame::Frame& frame) const {
     return std::nullopt;
 }
 
+std::uint32_t Rules::life_sign() const {
+    return canopen::cob::heartbeat + image_->can2().own_node;
+}
+
 std::uint32_t Rules::sdo_answer() const {
     return canopen::cob::sdo_answer + image_->can2().own_node;
 }
@@ -77,7 +82,7 @@ void Rules::offer(const frame::Frame& frame, bool taken, const Offered& at) {
     const GatewayState state = at.state;
     const Time now = at.now;
     follow(state, now, at.hides_states);
-    const bool life_sign = is(frame, canopen::cob::heartbeat + image_->can2().own_node);
+    const bool life_sign = is(frame, this->life_sign());
     if (!taken) {
         ++refused_;
         last_refusal_ = quiet_since_ = now;
@@ -170,8 +175,19 @@ void Rules::judge_error_words(const frame::Frame& frame, Time now) {
 
 // --- what passes ---
 
-void Rules::carry(const frame::Frame& frame, Time /*now*/) {
-    carried_ += tpdo_of(frame) ? 1U : 0U;
+void Rules::carry(const frame::Frame& frame, Time now) {
+    if (tpdo_of(frame)) {
+        ++pdos_;
+        ++carried_;
+        lost_ = std::min(lost_, taken_ - std::min(taken_, carried_));
+    }
+    if (const auto command = canopen::nmt_command(frame, image_->can2().own_node)) {
+        command_ = command;
+        commanded_ = now;
+    }
+    if (is(frame, life_sign())) {
+        last_life_sign_ = now;
+    }
     for (std::size_t rpdo = 0; rpdo < facts::rpdo_count; ++rpdo) {
         const image::Pdo pdo = image_->pdo(facts::tpdo_count + rpdo);
         if (!pdo.active || !is(frame, pdo.cob_id) || frame.length < 2 * pdo.word_count) {
@@ -201,13 +217,15 @@ void Rules::forward(std::uint8_t rpdo, const Words& words, Time now) {
 }
 
 bool Rules::all_carried() const {
-    return carried_ <= taken_ && taken_ <= carried_ + cuts_;
+    return lost_ <= cuts_ && taken_ == carried_ + lost_;
 }
 
 void Rules::expect_all_carried(Time now) {
     if (!all_carried()) {
         blame("frame-lost", now, fmt::format("{} taken, {} on the bus, {} cuts", taken_, carried_, cuts_));
     }
+    taken_ = carried_;
+    cuts_ = lost_ = 0;
 }
 
 void Rules::judge_binary(Time now) {
