@@ -23,6 +23,7 @@ std::string disturb(World& world, const std::vector<Disturbance>& all) {
         chosen.push_back(&next);
         what += next.name + ", ";
         world.rules().allow(next.errors);
+        world.rules().allow_alarms(next.alarms);
         next.begin(world);
         world.run_for(world.below(2'000'000 + static_cast<std::uint32_t>(next.lasts)));
     }

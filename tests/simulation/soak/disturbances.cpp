@@ -66,23 +66,34 @@ Disturbance jam(BusName bus, std::string name, std::set<unsigned> errors) {
 }
 
 Disturbance device_fault(const NamedFault& named, device::Fault cause) {
-    std::set<unsigned> errors{12411};
-    if (const unsigned error = device::row_of(cause).canopen_error; error != 0) {
-        errors.insert(error);
-    }
+    // 0 stands for none, which nobody shows.
+    std::set<unsigned> errors{12411, device::row_of(cause).error, device::row_of(cause).canopen_error};
     return {std::string(named.name), std::move(errors),
             [cause](World& world) { world.plant().report(cause, true); },
             [cause](World& world) { world.plant().report(cause, false); }};
 }
 
+std::set<Alarm> alarms_of(EngineFault fault) {
+    switch (fault) {
+        case EngineFault::oil_leak:
+            return {Alarm::low_oil_pressure, Alarm::lost_oil_pressure};
+        case EngineFault::cooling_failure:
+            return {Alarm::hot_coolant, Alarm::overheated_coolant};
+        case EngineFault::charge_air_cooler:
+            return {Alarm::hot_charge_air};
+        case EngineFault::load_rejection:
+        case EngineFault::actuator_stuck:
+            return {Alarm::overspeed};
+    }
+    return {};
+}
+
 Disturbance engine_fault(const NamedFault& named, EngineFault cause) {
     Disturbance disturbance{std::string(named.name),
                             {},
-                            [cause](World& world) {
-                                world.rules().allow_alarms();
-                                world.plant().report(cause, true);
-                            },
+                            [cause](World& world) { world.plant().report(cause, true); },
                             [cause](World& world) { world.plant().report(cause, false); }};
+    disturbance.alarms = alarms_of(cause);
     disturbance.lasts = 30 * second;  // nothing breaks from one moment to the next
     return disturbance;
 }

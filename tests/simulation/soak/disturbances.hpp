@@ -16,6 +16,7 @@ struct Disturbance {
     std::function<void(World&)> begin;
     std::function<void(World&)> end = [](World&) {};
     std::function<void(World&)> again = [](World&) {};  // now and then while it lasts
+    std::set<Alarm> alarms = {};                        // that it may bring about
     Time lasts = 0;                                     // at most so much longer than others
 };
 

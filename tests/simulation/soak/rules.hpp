@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <bitset>
 #include <deque>
 #include <map>
 #include <optional>
@@ -11,9 +12,11 @@
 #include <vector>
 
 #include "canopen/protocol.hpp"
+#include "device/gateway_errors.hpp"
 #include "device/governor_link.hpp"
 #include "frame/frame.hpp"
 #include "image/image.hpp"
+#include "simulation/alarms.hpp"
 
 namespace cgw::simulation::soak {
 
@@ -28,7 +31,7 @@ struct Look {
     std::uint32_t pdos_received = 0;
     std::uint16_t canopen_errors = 0;       // 2005h
     std::array<std::uint16_t, 7> binary{};  // 2000h:1..7, of TPDO1..3
-    bool alarms = false;                    // of the engine
+    std::bitset<alarm_count> alarms;        // of the engine, by Alarm
     bool hides_states = false;  // events of both buses at this microsecond: a state may have passed unseen
 };
 
@@ -76,18 +79,21 @@ class Rules {
     void can2_was_cut();
 
     // Errors and alarms that have a cause now.
-    void allow(const std::set<unsigned>& errors) { allowed_.insert(errors.begin(), errors.end()); }
-    void allow_alarms() { alarms_allowed_ = true; }
+    // Those of 2005h bring the gateway's own of 2000h with them.
+    void allow(const std::set<unsigned>& errors);
+    void allow_alarms(const std::set<Alarm>& alarms);
     void allow_none();
 
     void settle(const Settled& settled);
-    // Every TPDO that the port took has been on the bus, but for those lost on the wire by a cut.
+    // Every TPDO that the port took has been on the bus, but for those lost on the wire by a cut: at most one
+    // by each.
     bool all_carried() const;
+    // What was lost until now is settled: the cuts so far excuse nothing that is lost later.
     void expect_all_carried(Time now);
 
     // "word-torn at 1234567 us: TPDO4 word 3"; empty while every rule holds. Not more than the first few.
     const std::vector<std::string>& broken() const { return broken_; }
-    std::uint64_t pdos() const { return carried_; }
+    std::uint64_t pdos() const { return pdos_; }
     std::uint64_t forwarded() const { return forwarded_; }
     std::uint64_t refused() const { return refused_; }
     std::uint64_t boot_ups() const { return boot_ups_; }
@@ -98,25 +104,32 @@ class Rules {
     // How long 2000h may differ from what TPDO1..3 said last. Without main cycles of its governor a gateway
     // sends nothing, and notices it after half a second.
     static constexpr Time binary_patience = 1'000'000;  // us
+    static constexpr std::size_t error_pair = 2;  // 2000h:3 and 4, where no error of the gateway's own is
 
   private:
     using Words = device::PdoWords;
 
     void blame(std::string_view rule, Time now, const std::string& what);
     void follow(GatewayState state, Time now, bool hides_states);
+    bool may_follow(GatewayState before, GatewayState after, Time now) const;
+    void judge_answer(const frame::Frame& frame, GatewayState state, Time now);
     void judge_boot_up(const frame::Frame& frame, bool taken, Time now);
     void judge_heartbeat(const frame::Frame& frame, GatewayState state, Time now);
     void judge_words(std::size_t position, const frame::Frame& frame, Time now);
     void judge_error_words(const frame::Frame& frame, Time now);
+    void judge_errors(const Look& look);
+    bool may_show(unsigned error, const Look& look) const;
     void judge_waiting(Time now);
     void judge_binary(Time now);
+    void judge_alarms(const Look& look);
     std::uint32_t sdo_answer() const;
+    std::uint32_t life_sign() const;
     std::optional<std::size_t> tpdo_of(const frame::Frame& frame) const;
 
     const image::Image* image_;
     std::vector<std::string> broken_;
     std::set<unsigned> allowed_;
-    bool alarms_allowed_ = false;
+    std::bitset<alarm_count> alarms_allowed_;
 
     std::optional<GatewayState> state_;
     Look last_;
@@ -129,11 +142,17 @@ class Rules {
 
     std::map<std::uint32_t, Time> waiting_;  // refused by the port, by identifier
     Time last_refusal_ = 0;
+    std::optional<canopen::NmtCommand> command_;  // to the gateway, the last one
+    Time commanded_ = 0;
     std::optional<Time> boot_up_due_;  // since
 
+    // TPDOs and cuts since expect_all_carried().
     std::uint64_t taken_ = 0;
     std::uint64_t carried_ = 0;
     std::uint64_t cuts_ = 0;
+    std::uint64_t lost_ = 0;  // those that never came since the last cut, however idle the bus was
+    std::optional<Time> last_life_sign_;
+    std::uint64_t pdos_ = 0;
     std::uint64_t forwarded_ = 0;
     std::uint64_t refused_ = 0;
     std::uint64_t boot_ups_ = 0;

@@ -4,13 +4,12 @@
 
 #include <algorithm>
 
+#include "canopen/nmt.hpp"
 #include "simulation/soak/rules.hpp"
 #include "wire/little_endian.hpp"
 
 namespace cgw::simulation::soak {
 namespace {
-
-constexpr std::size_t error_pair = 2;  // 2000h:3 and 4, where no error of the gateway's own is
 
 constexpr std::size_t binary_words[] = {4, 2, 1};  // of TPDO1..3 (D20)
 
@@ -24,6 +23,10 @@ std::uint16_t marked_word(std::uint16_t cycle, std::size_t tpdo, std::size_t wor
 
 std::uint16_t word_of(const frame::Frame& frame, std::size_t word) {
     return wire::load_u16(&frame.data[2 * word]);
+}
+
+bool is(const frame::Frame& frame, std::uint32_t id) {
+    return !frame.extended && !frame.remote && frame.id == id;
 }
 
 std::uint8_t heartbeat_byte(GatewayState state) {
@@ -60,11 +63,15 @@ void Rules::mark(device::GovernorData& data, bool errors_flicker) {
 std::optional<std::size_t> Rules::tpdo_of(const frame::Frame& frame) const {
     for (std::size_t position = 0; position < facts::tpdo_count; ++position) {
         const image::Pdo pdo = image_->pdo(position);
-        if (pdo.active && !frame.extended && !frame.remote && frame.id == pdo.cob_id) {
+        if (pdo.active && is(frame, pdo.cob_id)) {
             return position;
         }
     }
     return std::nullopt;
+}
+
+std::uint32_t Rules::life_sign() const {
+    return canopen::cob::heartbeat + image_->can2().own_node;
 }
 
 std::uint32_t Rules::sdo_answer() const {
@@ -75,7 +82,7 @@ void Rules::offer(const frame::Frame& frame, bool taken, const Offered& at) {
     const GatewayState state = at.state;
     const Time now = at.now;
     follow(state, now, at.hides_states);
-    const bool life_sign = frame.id == canopen::cob::heartbeat + image_->can2().own_node;
+    const bool life_sign = is(frame, this->life_sign());
     if (!taken) {
         ++refused_;
         last_refusal_ = quiet_since_ = now;
@@ -101,6 +108,17 @@ void Rules::offer(const frame::Frame& frame, bool taken, const Offered& at) {
             blame("tpdo-outside-operational", now, fmt::format("TPDO{}", *position + 1));
         }
         judge_words(*position, frame, now);
+    } else if (!life_sign) {
+        judge_answer(frame, state, now);
+    }
+}
+
+// What is neither a life sign nor an active TPDO must be an SDO answer.
+void Rules::judge_answer(const frame::Frame& frame, GatewayState state, Time now) {
+    if (!is(frame, sdo_answer())) {
+        blame("stray-frame", now, fmt::format("{:03X}h", frame.id));
+    } else if (state != GatewayState::pre_operational && state != GatewayState::operational) {
+        blame("answer-outside-its-states", now, std::string(to_text(state)));
     }
 }
 
@@ -157,12 +175,22 @@ void Rules::judge_error_words(const frame::Frame& frame, Time now) {
 
 // --- what passes ---
 
-void Rules::carry(const frame::Frame& frame, Time /*now*/) {
-    carried_ += tpdo_of(frame) ? 1U : 0U;
+void Rules::carry(const frame::Frame& frame, Time now) {
+    if (tpdo_of(frame)) {
+        ++pdos_;
+        ++carried_;
+        lost_ = std::min(lost_, taken_ - std::min(taken_, carried_));
+    }
+    if (const auto command = canopen::nmt_command(frame, image_->can2().own_node)) {
+        command_ = command;
+        commanded_ = now;
+    }
+    if (is(frame, life_sign())) {
+        last_life_sign_ = now;
+    }
     for (std::size_t rpdo = 0; rpdo < facts::rpdo_count; ++rpdo) {
         const image::Pdo pdo = image_->pdo(facts::tpdo_count + rpdo);
-        if (!pdo.active || frame.extended || frame.remote || frame.id != pdo.cob_id ||
-            frame.length < 2 * pdo.word_count) {
+        if (!pdo.active || !is(frame, pdo.cob_id) || frame.length < 2 * pdo.word_count) {
             continue;
         }
         Words words{};
@@ -189,13 +217,15 @@ void Rules::forward(std::uint8_t rpdo, const Words& words, Time now) {
 }
 
 bool Rules::all_carried() const {
-    return carried_ <= taken_ && taken_ <= carried_ + cuts_;
+    return lost_ <= cuts_ && taken_ == carried_ + lost_;
 }
 
 void Rules::expect_all_carried(Time now) {
     if (!all_carried()) {
         blame("frame-lost", now, fmt::format("{} taken, {} on the bus, {} cuts", taken_, carried_, cuts_));
     }
+    taken_ = carried_;
+    cuts_ = lost_ = 0;
 }
 
 void Rules::judge_binary(Time now) {

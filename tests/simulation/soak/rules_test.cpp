@@ -5,6 +5,7 @@
 #include <fmt/ranges.h>
 #include <gtest/gtest.h>
 
+#include "canopen/nmt.hpp"
 #include "simulation/soak/world.hpp"
 #include "wire/little_endian.hpp"
 
@@ -42,7 +43,18 @@ class SoakRules : public testing::Test {
         look_.now = now_;
         rules_.look(look_);
     }
+    void command(canopen::NmtCommand command) {
+        rules_.carry(canopen::nmt_frame(command, image_.can2().own_node), now_);
+    }
+    // Enters it, commanded where a command leads there.
     void state(GatewayState state) {
+        if (state == GatewayState::operational) {
+            command(canopen::NmtCommand::start);
+        } else if (state == GatewayState::stopped) {
+            command(canopen::NmtCommand::stop);
+        } else if (state == GatewayState::pre_operational) {
+            command(canopen::NmtCommand::enter_pre_operational);
+        }
         begin(state);
         look();
     }
@@ -89,6 +101,7 @@ class SoakRules : public testing::Test {
     }
     device::GovernorData deliver(bool flicker = false) {
         now_ += cycle;
+        ++cycles_;
         device::GovernorData data;
         rules_.mark(data, flicker);
         std::copy(data.errors.begin(), data.errors.end(), look_.binary.begin());
@@ -109,7 +122,7 @@ class SoakRules : public testing::Test {
         Settled settled;
         settled.now = now_;
         for (std::size_t position = 0; position < facts::tpdo_count; ++position) {
-            settled.tpdos[position] = {now_, 4};
+            settled.tpdos[position] = {now_, position < facts::binary_tpdos ? std::uint16_t{4} : cycles_};
         }
         settled.engine_state = 4;
         settled.sent = settled.obeyed = {1, 2, 3};
@@ -120,6 +133,7 @@ class SoakRules : public testing::Test {
     Rules rules_{image_};
     Look look_;
     Time now_ = 1'000'000;
+    std::uint16_t cycles_ = 0;  // of the governor
     std::string expected_;
 };
 
@@ -148,6 +162,30 @@ TEST_F(SoakRules, see_an_illegal_transition) {
     state(GatewayState::operational);
     expect_broken("transition");
     offer(boot_up());
+}
+
+TEST_F(SoakRules, see_a_change_of_state_that_nobody_commanded) {
+    pass(cycle);
+    begin(GatewayState::stopped);
+    look();
+    expect_broken("transition");
+}
+
+TEST_F(SoakRules, see_a_command_that_leads_to_another_state) {
+    pass(cycle);
+    command(canopen::NmtCommand::stop);
+    begin(GatewayState::pre_operational);
+    look();
+    expect_broken("transition");
+}
+
+TEST_F(SoakRules, accept_the_states_that_errors_force) {
+    rules_.allow({12423, 12424});
+    pass(cycle);
+    begin(GatewayState::pre_operational);
+    look();
+    begin(GatewayState::stopped);
+    look();
 }
 
 TEST_F(SoakRules, see_a_tpdo_outside_operational) {
@@ -198,7 +236,7 @@ TEST_F(SoakRules, see_words_older_than_those_before) {
 TEST_F(SoakRules, see_a_change_that_is_never_sent) {
     pass(2 * Rules::binary_patience);
     EXPECT_TRUE(rules_.broken().empty());
-    look_.binary[5] = 1;
+    look_.binary[3] = 1;
     look();
     pass(2 * Rules::binary_patience);
     expect_broken("tpdo-stale");
@@ -256,6 +294,38 @@ TEST_F(SoakRules, see_a_boot_up_without_initialisation) {
     expect_broken("boot-up-twice");
 }
 
+TEST_F(SoakRules, see_an_identifier_that_is_not_the_gateways) {
+    frame::Frame frame = sdo_answer();
+    frame.id = 0x481;
+    offer(frame);
+    expect_broken("stray-frame");
+}
+
+TEST_F(SoakRules, see_a_tpdo_that_is_not_active) {
+    std::size_t position = 0;
+    while (position < facts::tpdo_count && image_.pdo(position).active) {
+        ++position;
+    }
+    ASSERT_LT(position, facts::tpdo_count);
+    frame::Frame frame;
+    frame.id = image_.pdo(position).cob_id;
+    offer(frame);
+    expect_broken("stray-frame");
+}
+
+TEST_F(SoakRules, see_an_extended_frame_with_a_tpdos_identifier) {
+    frame::Frame frame = tpdo(4, deliver());
+    frame.extended = true;
+    offer(frame);
+    expect_broken("stray-frame");
+}
+
+TEST_F(SoakRules, see_an_answer_in_stopped) {
+    state(GatewayState::stopped);
+    offer(sdo_answer());
+    expect_broken("answer-outside-its-states");
+}
+
 TEST_F(SoakRules, see_what_overtakes_the_boot_up) {
     state(GatewayState::init);
     state(GatewayState::pre_operational);
@@ -279,15 +349,40 @@ TEST_F(SoakRules, see_an_error_without_cause_and_accept_one_that_has_one) {
     expect_broken("error-without-cause");
 }
 
-TEST_F(SoakRules, see_an_alarm_without_cause_and_accept_one_that_has_one) {
-    rules_.allow_alarms();
-    look_.alarms = true;
+TEST_F(SoakRules, see_an_error_of_2000h_without_cause_and_accept_those_that_have_one) {
+    rules_.allow({12422});
+    look_.canopen_errors = 1U << 11;
+    look_.binary[4] = (1U << 7) | (1U << 10);  // 3071, 3074
+    look_.binary[0] = 1U << 5;                 // 3005, of sensor 900
+    look();
+    look_.binary[2] = 0xFFFF;  // flickers
     look();
     EXPECT_TRUE(rules_.broken().empty());
-    look_.alarms = false;
+    look_.binary[5] = 1U << 14;  // 3094
     look();
+    expect_broken("error-without-cause");
+}
+
+TEST_F(SoakRules, see_3074_without_an_error_of_canopen) {
+    look_.binary[4] = 1U << 10;
+    look();
+    expect_broken("error-without-cause");
+}
+
+TEST_F(SoakRules, see_an_alarm_without_cause_and_accept_one_that_has_one) {
+    rules_.allow_alarms({Alarm::hot_coolant});
+    look_.alarms.set(static_cast<std::size_t>(Alarm::hot_coolant));
+    look();
+    EXPECT_TRUE(rules_.broken().empty());
+    look_.alarms.set(static_cast<std::size_t>(Alarm::overspeed));
+    look();
+    expect_broken("alarm-without-cause");
+}
+
+TEST_F(SoakRules, see_an_alarm_whose_cause_was_mended_before) {
+    rules_.allow_alarms({Alarm::hot_coolant});
     rules_.allow_none();
-    look_.alarms = true;
+    look_.alarms.set(static_cast<std::size_t>(Alarm::hot_coolant));
     look();
     expect_broken("alarm-without-cause");
 }
@@ -317,6 +412,25 @@ TEST_F(SoakRules, see_a_frame_lost_between_port_and_bus_unless_the_bus_was_cut) 
     rules_.offer(frame, true, {now_, GatewayState::operational, false});
     rules_.expect_all_carried(now_);
     expect_broken("frame-lost");
+}
+
+TEST_F(SoakRules, do_not_excuse_a_lost_frame_with_a_cut_of_former_times) {
+    rules_.can2_was_cut();
+    rules_.expect_all_carried(now_);
+    rules_.offer(tpdo(4, deliver()), true, {now_, GatewayState::operational, false});
+    rules_.expect_all_carried(now_);
+    expect_broken("frame-lost");
+}
+
+TEST_F(SoakRules, wait_for_a_frame_on_its_way_after_a_cut) {
+    rules_.can2_was_cut();
+    offer(tpdo(4, deliver()));
+    const frame::Frame frame = tpdo(5, deliver());
+    rules_.offer(frame, true, {now_, GatewayState::operational, false});
+    EXPECT_FALSE(rules_.all_carried());
+    rules_.carry(frame, now_);
+    EXPECT_TRUE(rules_.all_carried());
+    rules_.expect_all_carried(now_);
 }
 
 TEST_F(SoakRules, see_a_frame_that_nobody_offered) {
@@ -357,10 +471,30 @@ TEST_F(SoakRules, see_an_engine_that_does_not_run_again) {
 
 TEST_F(SoakRules, see_a_cyclic_tpdo_that_does_not_come) {
     pass(second);
+    offer(life_sign(0x05));
     Settled settled = sound();
     settled.tpdos[5]->time = now_ - 300'000;  // TPDO6, every 200 ms
     rules_.settle(settled);
     expect_broken("tpdo-late");
+}
+
+TEST_F(SoakRules, see_a_heartbeat_that_no_longer_comes) {
+    pass(second);
+    rules_.settle(sound());
+    expect_broken("heartbeat-late");
+}
+
+TEST_F(SoakRules, see_a_tpdo_that_comes_with_the_words_of_an_old_cycle) {
+    for (int i = 0; i < 40; ++i) {
+        deliver();
+    }
+    Settled settled = sound();
+    settled.tpdos[5]->first_word = static_cast<std::uint16_t>(cycles_ - 13);  // TPDO6, every 13 cycles
+    rules_.settle(settled);
+    EXPECT_TRUE(rules_.broken().empty());
+    settled.tpdos[5]->first_word = static_cast<std::uint16_t>(cycles_ - 20);
+    rules_.settle(settled);
+    expect_broken("tpdo-stale");
 }
 
 TEST_F(SoakRules, see_an_engine_state_that_was_not_sent) {

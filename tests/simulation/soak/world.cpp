@@ -71,7 +71,10 @@ Time Inspector::poll(Time now) {
     for (std::size_t word = 0; word < look.binary.size(); ++word) {
         look.binary[word] = static_cast<std::uint16_t>(object::load_value(gateway.values(), binary_[word]));
     }
-    look.alarms = installation_->plant().governor().alarms().any();
+    for (const AlarmRow& row : alarm_rows()) {
+        look.alarms[static_cast<std::size_t>(row.alarm)] =
+            installation_->plant().governor().alarms().present(row.alarm);
+    }
     look.hides_states = hides_states(now);
     rules_.look(look);
     return canopen::never;
