@@ -80,7 +80,10 @@ std::string unknown_scaling(const Context& context) {
         const parameter::Scaling& scaling = *output.parameter->scaling;
         for (const std::uint16_t number :
              {scaling.external_minimum_parameter, scaling.external_maximum_parameter}) {
-            if (number != 0 && context.settings.governor.find(number) == nullptr) {
+            const bool counts = number == scaling.external_maximum_parameter  // D49
+                                    ? context.settings.governor.value(number) != 0
+                                    : context.settings.governor.find(number) != nullptr;
+            if (number != 0 && !counts) {
                 words.insert(output.parameter->number);
                 missing.insert(number);
             }

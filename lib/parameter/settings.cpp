@@ -9,11 +9,7 @@ namespace {
 
 std::optional<double> limit(std::optional<double> constant, std::uint16_t reference,
                             const ParameterSet& references) {
-    if (reference == 0) {
-        return constant;
-    }
-    const Assignment* assigned = references.find(reference);
-    return assigned != nullptr ? std::optional<double>(assigned->value) : std::nullopt;
+    return reference == 0 ? constant : references.value(reference);
 }
 
 }  // namespace
@@ -54,7 +50,8 @@ std::optional<ExternalLimits> external_limits(const Row& row, const ParameterSet
         limit(scaling.external_minimum, scaling.external_minimum_parameter, references);
     const std::optional<double> maximum =
         limit(scaling.external_maximum, scaling.external_maximum_parameter, references);
-    if (!minimum || !maximum || *minimum == *maximum) {
+    const bool is_stated = scaling.external_maximum_parameter == 0 || maximum != 0.0;  // D49
+    if (!minimum || !maximum || *minimum == *maximum || !is_stated) {
         return std::nullopt;
     }
     return ExternalLimits{*minimum, *maximum};

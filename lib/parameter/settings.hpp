@@ -54,7 +54,8 @@ struct ExternalLimits {
 };
 
 // From the row's constants or from the reference parameters it names (978..995); nullopt when a limit is not
-// known: no scaling, a blank cell, a reference parameter that is not set, or limits that do not differ.
+// known: no scaling, a blank cell, limits that do not differ, or a highest reference parameter that is 0. A
+// reference parameter that is not set is 0, as every parameter (D49).
 std::optional<ExternalLimits> external_limits(const Row& row, const ParameterSet& references);
 
 struct Date {

@@ -50,6 +50,14 @@ TEST(NotVerified, is_the_scaling_of_a_sent_word_without_its_reference_values) {
     EXPECT_EQ(open_questions(plant.governor(981, 10)), rest);
 }
 
+TEST(NotVerified, is_the_scaling_of_a_sent_word_whose_highest_value_is_0) {
+    PlantBuilder plant;
+    plant.minimal().governor_list(16400, {2905}).governor(16460, 100).network_node(2);
+    plant.governor(980, -1).governor(981, 0);
+    EXPECT_EQ(open_questions(plant), "scaling of 2905: 981 is not set\n"
+                                     "other nodes: identifiers beyond the default ones of 2");
+}
+
 TEST(NotVerified, is_a_bit_rate_whose_clock_is_not_stated) {
     PlantBuilder plant;
     plant.minimal().governor(4416, 1).gateway(4416, 1).gateway(4426, 1).network_node(2);

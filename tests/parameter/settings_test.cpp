@@ -79,6 +79,33 @@ TEST(ExternalLimits, mix_a_constant_and_a_reference) {
     EXPECT_EQ(external_limits(row, set)->maximum, 300);
 }
 
+TEST(ExternalLimits, take_0_for_a_lowest_reference_that_is_not_set) {
+    const Row row{.number = 2905, .scaling = Scaling{0, 65535, std::nullopt, std::nullopt, 980, 981}};
+    ParameterSet set;
+    set.assign({.row = &high, .value = 11});
+    ASSERT_TRUE(external_limits(row, set).has_value());
+    EXPECT_EQ(external_limits(row, set)->minimum, 0);
+    set.assign({.row = &low, .value = 0});
+    EXPECT_EQ(external_limits(row, set)->minimum, 0);
+}
+
+TEST(ExternalLimits, are_not_known_while_the_highest_reference_is_0) {
+    const Row row{.number = 2905, .scaling = Scaling{0, 65535, std::nullopt, std::nullopt, 980, 981}};
+    ParameterSet set;
+    set.assign({.row = &low, .value = -1});
+    EXPECT_FALSE(external_limits(row, set).has_value());
+    set.assign({.row = &high, .value = 0});
+    EXPECT_FALSE(external_limits(row, set).has_value());
+}
+
+TEST(ExternalLimits, may_end_at_a_constant_0) {
+    const Row row{.number = 2905, .scaling = Scaling{0, 65535, std::nullopt, 0.0, 980, 0}};
+    ParameterSet set;
+    set.assign({.row = &low, .value = -1});
+    ASSERT_TRUE(external_limits(row, set).has_value());
+    EXPECT_EQ(external_limits(row, set)->minimum, -1);
+}
+
 TEST(ExternalLimits, are_not_known_without_scaling_or_with_a_blank_or_when_equal) {
     EXPECT_FALSE(external_limits(Row{.number = 2990}, {}).has_value());
     const Row blank{.number = 2917, .scaling = Scaling{.internal_maximum = 65535}};
