@@ -10,6 +10,7 @@
 #include "cli/canopen-gateway/options.hpp"
 #include "cli/canopen-gateway/plant_run.hpp"
 #include "media/log.hpp"
+#include "runtime/configuration_id.hpp"
 #include "runtime/run.hpp"
 #include "simulation/plant_log.hpp"
 

@@ -10,6 +10,7 @@
 #include "base/wrap.hpp"
 #include "media/log.hpp"
 #include "media/open_channel.hpp"
+#include "runtime/configuration_id.hpp"
 #include "runtime/empty_bus.hpp"
 #include "runtime/event_lines.hpp"
 #include "runtime/gateway_node.hpp"
@@ -279,15 +280,6 @@ void Run::say(std::string_view text) {
 
 Ending run(const image::Image& image, const Settings& settings, const Output& output) {
     return Run(image, settings, output).execute();
-}
-
-std::string configuration_id_text(const image::Image& image) {
-    constexpr std::size_t shown_bytes = 8;
-    std::string text;
-    for (const std::uint8_t byte : image.configuration_id().first(shown_bytes)) {
-        text += fmt::format("{:02x}", byte);
-    }
-    return text;
 }
 
 }  // namespace cgw::runtime

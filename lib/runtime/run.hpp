@@ -39,7 +39,4 @@ enum class Ending {
 // One run at a time.
 Ending run(const image::Image& image, const Settings& settings, const Output& output);
 
-// First bytes of the image's configuration id in hexadecimal digits, as everywhere.
-std::string configuration_id_text(const image::Image& image);
-
 }  // namespace cgw::runtime

@@ -6,6 +6,7 @@
 
 #include "base/utf8.hpp"
 #include "base/wrap.hpp"
+#include "runtime/configuration_id.hpp"
 #include "runtime/measurements.hpp"
 #include "simulation/text.hpp"
 
@@ -51,6 +52,8 @@ std::string status_page(const Diagnosis& diagnosis) {
     std::string text =
         fmt::format("state {}, {:.1f} s after the start\n", simulation::to_text(diagnosis.gateway->state()),
                     static_cast<double>(diagnosis.now) / 1e6);
+    text += fmt::format("configuration {}, node {}\n", configuration_id_text(*diagnosis.image),
+                        diagnosis.image->can2().own_node);
     text += bus_lines("CAN1", diagnosis.can1);
     text += bus_lines("CAN2", diagnosis.can2);
     text += fmt::format("      TPDOs {}, RPDOs {}, SDO answers {}, aborts {}, overflows {}\n",

@@ -227,7 +227,7 @@ class RealTime(unittest.TestCase):
             page = b""
             while b"meaning not printed" not in page:
                 page += os.read(node.process.stderr.fileno(), 65536)
-            self.assertRegex(page.decode(), r"\Astate Pre-Operational, \d+\.\d s after the start\n")
+            self.assertRegex(page.decode(), r"\Astate Pre-Operational, \d+\.\d s after the start\nconfiguration [0-9a-f]{16}, node \d+\n")
             for row in (r"  2411 CanDCNodeState15to01 +0x0004", r" 12403 CanOpPreOperational +1", r" 12405 CanOpOnline +1"):
                 self.assertRegex(page.decode(), f"\n{row}\n")
             bus.send(0, 1, NODE)  # and goes on

@@ -1,8 +1,11 @@
 #include "runtime/measurements.hpp"
 
+#include <fmt/format.h>
+
 #include <set>
 #include <sstream>
 
+#include "base/sha256.hpp"
 #include "base/utf8.hpp"
 #include "catalogue/catalogue.hpp"
 #include "runtime/status_page.hpp"
@@ -174,6 +177,8 @@ TEST_F(GatewayMeasurements, stand_on_a_page_of_eighty_columns_by_number_and_name
     diagnosis_.can2.name = "hub:" + std::string(100, 'x') + "/can0";
     diagnosis_.governors_heard = 1U << 3;
     const std::string page = status_page(diagnosis_);
+    const std::string id = base::to_hex(diagnosis_.image->configuration_id().first(8));
+    EXPECT_NE(page.find(fmt::format("\nconfiguration {}, node 5\n", id)), std::string::npos) << page;
     for (const char* part :
          {"state Pre-Operational",
           "CAN1  a simulated governor, up\n      frames received 10, sent 20, lost 0\n",
