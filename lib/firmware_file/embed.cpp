@@ -82,7 +82,7 @@ Outcome<Replaced> replaceable(const FirmwareFile& file, const Room& room, const 
             std::find_if(bytes.begin(), bytes.end(), [&](std::uint8_t b) { return b != filling; });
         if (data != bytes.end()) {
             const std::uint64_t where = first + static_cast<std::uint64_t>(data - bytes.begin());
-            const bool begun = room.earlier == 0 && !image::image_in(room.present.bytes).empty();
+            const bool begun = room.earlier == 0 && !image::stated_image(room.present.bytes).empty();
             return refuse(
                 rules::image_occupied,
                 fmt::format("at {} stands 0x{:02X}, and {}", address_text(where), *data,

@@ -171,6 +171,15 @@ class Firmware(unittest.TestCase):
         def erased(region):
             region[:] = b"\xff" * len(region)
 
+        def zeros(region):
+            region[:] = bytes(len(region))
+
+        def not_ours(region):
+            region[0] ^= 0x10
+
+        def larger_than_the_region(region):
+            region[14] |= 0x80
+
         def another_major(region):
             region[4] += 1
 
@@ -180,7 +189,8 @@ class Firmware(unittest.TestCase):
         def damaged(region):
             region[1000] ^= 0x10
 
-        for code, change in ((1, erased), (4, another_major), (7, cut_off), (7, damaged)):
+        for code, change in ((1, erased), (1, zeros), (3, not_ours), (4, another_major), (6, larger_than_the_region),
+                             (7, cut_off), (7, damaged)):
             with self.subTest(change.__name__):
                 board = Board(self.programs["cmake"], self.directory / change.__name__)
                 board.change_region(change)
