@@ -32,7 +32,7 @@ Outcome<Area> image_at(const FirmwareFile& file, const Target& target) {
     }
     if (area->bytes.empty()) {
         return refuse(diagnostic::rules::firmware_address,
-                      fmt::format("nothing stands at {}", address_text(area->address)));
+                      fmt::format("the file has nothing at {}", address_text(area->address)));
     }
     const std::span<const std::uint8_t> stated = image::stated_image(area->bytes);
     area->bytes =
