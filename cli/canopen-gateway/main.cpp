@@ -15,7 +15,7 @@ namespace {
 // `cgw image embed` may have put another one there, which is shorter.
 std::span<const unsigned char> embedded_image() {
     const std::span<const unsigned char> area(cgw_config_image, cgw_config_image_size);
-    const std::span<const unsigned char> image = cgw::image::image_in(area);
+    const std::span<const unsigned char> image = cgw::image::stated_image(area);
     return image.empty() ? area : image;
 }
 

@@ -5,6 +5,7 @@
 #include "authoring/toml_text.hpp"
 #include "base/numbers.hpp"
 #include "catalogue/kinds.hpp"
+#include "catalogue/values.hpp"
 
 namespace cgw::authoring {
 namespace {
@@ -50,7 +51,7 @@ std::string measurement_text(const Row& row) {
 
 std::string declaration_text(const Row& row) {
     std::string text = fmt::format("\n[[governor.declare]]\nnumber = {}\n", row.number);
-    text += row.name.empty() ? "" : fmt::format("name = {}\n", toml_string(row.name));
+    text += !catalogue::is_name(row.name) ? "" : fmt::format("name = {}\n", toml_string(row.name));
     if (is_declared_kind(row)) {
         text += fmt::format("kind = \"{}\"\n", catalogue::kind_of(row));
     }

@@ -7,6 +7,7 @@
 #include "authoring/image_draft.hpp"
 #include "base/sha256.hpp"
 #include "catalogue/catalogue.hpp"
+#include "catalogue/values.hpp"
 #include "facts/gateway.hpp"
 #include "parameter/value_text.hpp"
 
@@ -17,13 +18,26 @@ using parameter::CanonicalRow;
 using parameter::Device;
 using parameter::Row;
 
-// A declaration adds measurements, switches and sensors of the governor, and fills blanks of what ships.
+// A declaration adds measurements, switches and sensors of the governor, and fills blanks of what ships. The
+// name of an array's element, "Name(0)", it cannot say, and what ships without a name needs one.
 bool can_be_declared(const CanonicalRow& row, const parameter::Catalogue& shipped) {
     if (row.device != Device::governor) {
         return false;
     }
-    return row.list == parameter::List::measurement || row.role != parameter::Role::none ||
-           shipped.find(row.device, row.number) != nullptr;
+    if (const Row* known = shipped.find(row.device, row.number); known != nullptr) {
+        return catalogue::is_name(row.name) || (row.name == known->name && !row.name.empty());
+    }
+    return row.list == parameter::List::measurement ||
+           (row.role != parameter::Role::none && catalogue::is_name(row.name));
+}
+
+// What ships has its name anyway; a measurement gets one that it can have.
+bool loses_name(CanonicalRow& row, const parameter::Catalogue& shipped) {
+    if (catalogue::is_name(row.name) || shipped.find(row.device, row.number) != nullptr) {
+        return false;
+    }
+    row.name = fmt::format("Measurement{}", row.number);
+    return true;
 }
 
 std::string numbers_text(std::vector<std::string> numbers) {
@@ -33,34 +47,45 @@ std::string numbers_text(std::vector<std::string> numbers) {
     return fmt::format("{}{}", fmt::join(numbers, ", "), more != 0 ? fmt::format(" and {} more", more) : "");
 }
 
+void note_lost(std::string_view what, std::vector<std::string> numbers, ImageDraft& to) {
+    if (!numbers.empty()) {
+        to.lost.push_back(fmt::format("{}: {}", what, numbers_text(std::move(numbers))));
+    }
+}
+
+void draft_rows(const parameter::CanonicalModel& model, ImageDraft& to) {
+    const parameter::Catalogue shipped(catalogue::shipped_rows());
+    std::vector<std::string> rows;
+    std::vector<std::string> names;
+    for (CanonicalRow row : model.rows) {
+        if (!can_be_declared(row, shipped)) {
+            rows.push_back(fmt::format("{} {}", parameter::to_text(row.device), row.number));
+            continue;
+        }
+        const std::string name = row.name;
+        if (loses_name(row, shipped)) {
+            names.push_back(fmt::format("{} {}", row.number, name));
+        }
+        to.declare(std::move(row));
+    }
+    note_lost("rows of a catalogue file, which no declaration can say", std::move(rows), to);
+    note_lost("names out of a catalogue file, which no declaration can say", std::move(names), to);
+}
+
 void draft_model(const parameter::CanonicalModel& model, ImageDraft& to) {
     to.draft.title = model.title;
     to.draft.identity = model.identity;
     if (model.main_cycle_us != facts::usual_governor_main_cycle_us) {
         to.draft.main_cycle_us = model.main_cycle_us;
     }
-    std::vector<std::string> rows;
-    for (const CanonicalRow& row : model.rows) {
-        if (can_be_declared(row, to.catalogue())) {
-            to.declare(row);
-        } else {
-            rows.push_back(fmt::format("{} {}", parameter::to_text(row.device), row.number));
-        }
-    }
-    if (!rows.empty()) {
-        to.lost.push_back(fmt::format("rows of a catalogue file, which no declaration can say: {}",
-                                      numbers_text(std::move(rows))));
-    }
+    draft_rows(model, to);
     std::vector<std::string> values;
     for (const parameter::CanonicalValue& value : model.values) {
         if (!to.set(value.device, value.number, value.value)) {
             values.push_back(fmt::format("{} {}", parameter::to_text(value.device), value.number));
         }
     }
-    if (!values.empty()) {
-        to.lost.push_back(fmt::format("values of parameters that only a catalogue file knows: {}",
-                                      numbers_text(std::move(values))));
-    }
+    note_lost("values of parameters that only a catalogue file knows", std::move(values), to);
 }
 
 }  // namespace

@@ -104,12 +104,13 @@ const Rule firmware_section{
     .code = "E0707",
     .name = "firmware-section",
     .level = Level::error,
-    .summary = "a section for the image exists once, has contents and is loaded into the device",
+    .summary = "a section for the image exists once and is loaded, read-only data with contents",
     .reference = "",
     .why =
         "A section without contents (NOBITS) is memory that the program clears at its start, and one that "
-        "is not loaded never reaches the device. Reserve it as read-only data, for example filled with "
-        "0xFF.",
+        "is not loaded never reaches the device. What the program writes to or runs is no place for an "
+        "image. "
+        "Reserve a section of read-only data, for example filled with 0xFF.",
     .example = Example::none,
     .bad = "",
     .good = ""};

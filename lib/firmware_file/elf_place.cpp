@@ -14,6 +14,10 @@ namespace rules = diagnostic::rules;
 constexpr std::uint32_t unused = 0, program_data = 1, no_contents = 8;              // sh_type
 constexpr std::uint64_t writable = 1, in_memory = 2, code = 4, compressed = 0x800;  // sh_flags
 
+constexpr const char* demanded =
+    "an image stands in read-only data that has contents and is loaded: a constant array, or (READONLY) in "
+    "the linker script";
+
 // The section's bytes are those that this segment loads at the section's address.
 bool holds(const ElfSegment& segment, const ElfSection& section) {
     return section.offset >= segment.offset && section.offset - segment.offset <= segment.size &&
@@ -72,17 +76,16 @@ Outcome<void> replaceable_in_sections(const Elf& elf, const ElfSegment& segment,
                address - section.address < section.size;
     });
     if (found == elf.sections.end() || !holds(segment, *found)) {
-        return refuse(rules::firmware_address, fmt::format("no section stands at {}", address_text(address)),
-                      {}, "reserve the area in the program, as a section of read-only data");
+        return refuse(rules::firmware_address, fmt::format("no section holds {}", address_text(address)), {},
+                      "reserve the area in the program, as a section of read-only data");
     }
     const std::string shown = base::printable(found->name);
     if (const char* why = not_free(*found); why != nullptr) {
-        return refuse(rules::firmware_section, fmt::format("section {} {}", shown, why), {},
-                      "reserve read-only data: a constant array, or (READONLY) in the linker script");
+        return refuse(rules::firmware_section, fmt::format("section {} {}", shown, why), {}, demanded);
     }
     const std::uint64_t rest = found->size - (address - found->address);
     if (size > rest) {
-        return refuse(rules::image_room, fmt::format("section {} ends {} bytes behind {}, the image needs {}",
+        return refuse(rules::image_room, fmt::format("section {} has {} bytes from {} on, the image needs {}",
                                                      shown, rest, address_text(address), size));
     }
     return alone(elf, *found);
@@ -111,7 +114,7 @@ Outcome<ElfSection> find_section(const Elf& elf, std::string_view name) {
         return refuse(rules::firmware_section, fmt::format("there is no section {}", shown));
     }
     if (const char* why = unfit(*found); why != nullptr) {
-        return refuse(rules::firmware_section, fmt::format("section {} {}", shown, why));
+        return refuse(rules::firmware_section, fmt::format("section {} {}", shown, why), {}, demanded);
     }
     const auto loads = [&](const ElfSegment& segment) { return holds(segment, *found); };
     if (std::count_if(elf.segments.begin(), elf.segments.end(), loads) != 1) {

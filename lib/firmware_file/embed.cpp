@@ -47,7 +47,7 @@ Outcome<Room> room_at_address(const FirmwareFile& file, std::uint64_t address, s
         }
         if (image_size > present->bytes.size()) {
             return refuse(rules::image_room,
-                          fmt::format("the segment ends {} bytes behind {}, the image needs {}",
+                          fmt::format("the segment has {} bytes from {} on, the image needs {}",
                                       present->bytes.size(), address_text(address), image_size));
         }
     } else if (address > address_limit || image_size > address_limit - address) {
@@ -82,16 +82,21 @@ Outcome<Replaced> replaceable(const FirmwareFile& file, const Room& room, const 
             std::find_if(bytes.begin(), bytes.end(), [&](std::uint8_t b) { return b != filling; });
         if (data != bytes.end()) {
             const std::uint64_t where = first + static_cast<std::uint64_t>(data - bytes.begin());
-            const bool begun = room.earlier == 0 && !image::image_in(room.present.bytes).empty();
+            const bool begun = room.earlier == 0 && !image::stated_image(room.present.bytes).empty();
+            if (begun) {
+                return refuse(rules::image_occupied,
+                              fmt::format("the image at {} is damaged: its CRC-32 does not fit",
+                                          address_text(room.present.address)),
+                              {}, "take the firmware as it was built");
+            }
             return refuse(
                 rules::image_occupied,
-                fmt::format("at {} stands 0x{:02X}, and {}", address_text(where), *data,
-                            begun ? "the image there is damaged: its CRC-32 does not fit"
-                                  : "no image: the area is not free"),
+                fmt::format("the byte at {} is 0x{:02X}: the area is not free, and no image stands there",
+                            address_text(where), *data),
                 {},
                 options.target.section.empty()
                     ? "leave the area out of the firmware, or fill it with 0xFF (0x00 with --fill 0x00)"
-                    : "reserve the section with 0xFF or 0x00 throughout");
+                    : "fill the section with 0xFF or 0x00 throughout");
         }
     }
     if (room.earlier != 0) {
@@ -151,7 +156,8 @@ Outcome<Embedded> embed(std::span<const std::uint8_t> firmware, const image::Ima
     const std::uint64_t address = room->present.address;
     if (address % options.alignment != 0) {
         return refuse(rules::image_alignment,
-                      fmt::format("{} is no multiple of {}", address_text(address), options.alignment));
+                      fmt::format("{}, where the image would begin, is no multiple of {}",
+                                  address_text(address), options.alignment));
     }
     if (const Outcome<void> allowed = file->allows(address, room->size); !allowed) {
         return tl::unexpected(allowed.error());

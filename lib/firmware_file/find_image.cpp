@@ -17,7 +17,7 @@ constexpr std::size_t most_places = 64;  // each costs a CRC-32 over up to 64 Ki
 }  // namespace
 
 std::size_t intact_size(std::span<const std::uint8_t> bytes) {
-    const std::span<const std::uint8_t> stated = image::image_in(bytes);
+    const std::span<const std::uint8_t> stated = image::stated_image(bytes);
     if (stated.empty()) {
         return 0;
     }
@@ -32,9 +32,9 @@ Outcome<Area> image_at(const FirmwareFile& file, const Target& target) {
     }
     if (area->bytes.empty()) {
         return refuse(diagnostic::rules::firmware_address,
-                      fmt::format("nothing stands at {}", address_text(area->address)));
+                      fmt::format("the file has nothing at {}", address_text(area->address)));
     }
-    const std::span<const std::uint8_t> stated = image::image_in(area->bytes);
+    const std::span<const std::uint8_t> stated = image::stated_image(area->bytes);
     area->bytes =
         stated.empty() ? area->bytes.first(std::min(area->bytes.size(), image::maximum_size)) : stated;
     return area;
@@ -51,7 +51,7 @@ Outcome<std::vector<Area>> find_images(const FirmwareFile& file) {
             if (rest.empty()) {
                 break;
             }
-            const std::span<const std::uint8_t> stated = image::image_in(rest);
+            const std::span<const std::uint8_t> stated = image::stated_image(rest);
             if (!stated.empty()) {
                 if (found.size() == most_places) {
                     return refuse(diagnostic::rules::firmware_address,

@@ -45,7 +45,8 @@ Outcome<FirmwareFile> FirmwareFile::read(std::span<const std::uint8_t> bytes) {
     const std::optional<Kind> kind = kind_of(bytes);
     if (!kind) {
         return refuse(rules::firmware_kind,
-                      "this is neither an ELF program nor an Intel HEX or S-record file");
+                      "this is neither an ELF program nor an Intel HEX or S-record file", {},
+                      "take the file that the linker or objcopy made; a plain binary one has no addresses");
     }
     if (*kind != Kind::elf && bytes.size() > largest_record_file) {
         return refuse(rules::firmware_kind,

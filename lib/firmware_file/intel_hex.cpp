@@ -46,7 +46,7 @@ class Reader {
                 continue;
             }
             if (ended_) {
-                return refuse(rules::record_end, "something stands behind the end record", line.whole());
+                return refuse(rules::record_end, "something follows the end record", line.whole());
             }
             if (Outcome<void> taken = take(line); !taken) {
                 return tl::unexpected(taken.error());
@@ -144,7 +144,7 @@ class Reader {
     static Outcome<void> take_start(const Line& line, std::optional<std::uint32_t>& start,
                                     std::span<const std::uint8_t> bytes) {
         if (start) {
-            return refuse(rules::record_line, "a second start address", line.whole());
+            return refuse(rules::record_line, "this is a second start address", line.whole());
         }
         start = big_endian(bytes);
         return {};

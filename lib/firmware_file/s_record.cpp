@@ -47,7 +47,7 @@ class Reader {
                 continue;
             }
             if (ended_) {
-                return refuse(rules::record_end, "something stands behind the end record", line.whole());
+                return refuse(rules::record_end, "something follows the end record", line.whole());
             }
             if (Outcome<void> taken = take(line); !taken) {
                 return tl::unexpected(taken.error());
@@ -100,7 +100,7 @@ class Reader {
         }
         const Type type = types[static_cast<std::size_t>(text[1] - '0')];
         if (type.role == Role::reserved) {
-            return refuse(rules::record_line, "there are no records S4",
+            return refuse(rules::record_line, "there are no S4 records",
                           {{line.number, 1}, {line.number, 3}});
         }
         const Outcome<base::Bytes> record = decode(line, prefix);
@@ -148,7 +148,7 @@ class Reader {
         file_.counted = true;
         if (address != data_records_) {
             return refuse(rules::record_end,
-                          fmt::format("the file has {} data records, this says {}", data_records_, address),
+                          fmt::format("this counts {} data records, the file has {}", address, data_records_),
                           line.whole());
         }
         return {};

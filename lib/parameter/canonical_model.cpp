@@ -19,8 +19,8 @@ class Line {
     // Up to the next blank.
     std::string_view word() {
         const std::string_view word = rest_.substr(0, rest_.find(' '));
-        rest_.remove_prefix(std::min(word.size() + 1, rest_.size()));
         fits_ = fits_ && !word.empty();
+        drop(word.size());
         return word;
     }
 
@@ -49,7 +49,7 @@ class Line {
             at += rest_[at] == '\\' ? escape(rest_.substr(at + 1), text) : plain(rest_.substr(at), text);
         }
         fits_ = fits_ && at < rest_.size() && (at + 1 == rest_.size() || rest_[at + 1] == ' ');
-        rest_.remove_prefix(std::min(at + 2, rest_.size()));
+        drop(std::min(at + 1, rest_.size()));
         return text;
     }
 
@@ -65,10 +65,16 @@ class Line {
         return {};
     }
 
-    std::string_view rest() const { return rest_; }
     void fail() { fits_ = false; }
 
   private:
+    // And the blank behind it, which stands between two things.
+    void drop(std::size_t size) {
+        rest_.remove_prefix(size);
+        fits_ = fits_ && rest_ != " ";
+        rest_.remove_prefix(rest_.empty() ? 0 : 1);
+    }
+
     std::size_t plain(std::string_view from, std::string& text) {
         const std::size_t size = base::utf8_sequence_length(from);
         fits_ = fits_ && size != 0;

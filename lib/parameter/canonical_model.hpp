@@ -40,7 +40,8 @@ struct CanonicalModel {
     std::vector<CanonicalValue> values;  // by device and number
 };
 
-// nullopt where the text is not exactly of the form that canonical_text() writes.
+// nullopt where a line has not the form that canonical_text() gives it, or the first is another. Order and
+// repetition are not looked at.
 std::optional<CanonicalModel> read_canonical_text(std::string_view text);
 
 }  // namespace cgw::parameter

@@ -52,6 +52,8 @@ std::string row_lines(std::vector<const Row*> rows) {
     const auto by_number = [](const Row* a, const Row* b) {
         return a->device != b->device ? a->device < b->device : a->number < b->number;
     };
+    // What the bootloader means by a number goes into no telegram.
+    std::erase_if(rows, [](const Row* row) { return row->program != Program::application; });
     // The latest of one number wins: a later declaration completes an earlier row.
     std::stable_sort(rows.begin(), rows.end(), by_number);
     std::string text;

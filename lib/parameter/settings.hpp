@@ -124,7 +124,8 @@ struct Settings {
 //                                                  a declared row: list, role when it has one, width, sign,
 //                                                  unit, internal and external limits ("@980" is a reference
 //                                                  parameter,
-//                                                  "?" is blank); by device and number, each once
+//                                                  "?" is blank); by device and number, each once; none of
+//                                                  a bootloader
 //   governor 401 1                                 every value that is not 0, by device and number
 // Order, comments and spelling of the file do not matter; neither do author, date and texts.
 std::string canonical_text(const Settings& settings);

@@ -106,13 +106,16 @@ Outcome expect_error(Run& run, const Step& step) {
     const std::vector<std::uint16_t> errors = errors_of(run);
     return {fmt::format("error {}", error_text(static_cast<std::uint16_t>(step.subject().integer))),
             shows(run, step.subject().integer),
-            errors.empty() ? "there is none" : fmt::format("only {}", error_list(errors))};
+            errors.empty()
+                ? "there is none"
+                : fmt::format("there {} only {}", errors.size() == 1 ? "is" : "are", error_list(errors))};
 }
 
 Outcome expect_no_error(Run& run, const Step& step) {
     if (step.subject().text == "any") {
         const std::vector<std::uint16_t> errors = errors_of(run);
-        return {"no error", errors.empty(), error_list(errors)};
+        return {"no error", errors.empty(),
+                fmt::format("there {} {}", errors.size() == 1 ? "is" : "are", error_list(errors))};
     }
     return {fmt::format("no error {}", error_text(static_cast<std::uint16_t>(step.subject().integer))),
             !shows(run, step.subject().integer), "it is there"};
@@ -127,7 +130,7 @@ Outcome expect_word(Run& run, const Step& step) {
     const auto found = words.find(number);
     if (found == words.end()) {
         outcome.met = false;
-        outcome.instead = "the PLC has not received it";
+        outcome.instead = "not received";
         return outcome;
     }
     outcome.met = in_range(step, simulation::scale_of(image, number, 0, 100).to_engineering(found->second));
@@ -166,8 +169,9 @@ Outcome expect_boot_ups(Run& run, const Step& step) {
     const auto& all = plant_of(run).node().boot_ups();
     const auto heard = std::count_if(all.begin(), all.end(),
                                      [gateway](const auto& boot_up) { return boot_up.node_id == gateway; });
-    return {fmt::format("boot-ups so far: {}", step.subject().integer), heard == step.subject().integer,
-            fmt::format("there were {}", heard)};
+    return {
+        fmt::format("{} boot-up{} so far", step.subject().integer, step.subject().integer == 1 ? "" : "s"),
+        heard == step.subject().integer, fmt::format("there {} {}", heard == 1 ? "was" : "were", heard)};
 }
 
 Outcome expect_answer(Run& run, const Step& step) {

@@ -81,13 +81,13 @@ Outcome expect_engine(Run& run, const Step& step) {
 Outcome expect_alarm(Run& run, const Step& step) {
     const EngineAlarms& alarms = alarms_of(run);
     return {fmt::format("alarm {}", alarm_of(step).text), alarms.present(alarm_of(step).alarm),
-            alarms.any() ? fmt::format("only {}", alarm_list(alarms)) : "there is none"};
+            alarms.any() ? fmt::format("there is only {}", alarm_list(alarms)) : "there is none"};
 }
 
 Outcome expect_no_alarm(Run& run, const Step& step) {
     const EngineAlarms& alarms = alarms_of(run);
     if (static_cast<std::size_t>(step.subject().integer) == simulation::alarm_count) {
-        return {"no alarm", !alarms.any(), alarm_list(alarms)};
+        return {"no alarm", !alarms.any(), fmt::format("there is {}", alarm_list(alarms))};
     }
     return {fmt::format("no alarm {}", alarm_of(step).text), !alarms.present(alarm_of(step).alarm),
             "it is there"};
@@ -102,7 +102,7 @@ Outcome expect_status(Run& run, const Step& step) {
     const auto last = run.installation().node().received(pdo.cob_id);
     if (!last) {
         outcome.met = false;
-        outcome.instead = "the PLC has not received it";
+        outcome.instead = "not received";
         return outcome;
     }
     const std::uint16_t word = wire::load_u16(last->last.data.data());

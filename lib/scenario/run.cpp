@@ -7,6 +7,17 @@
 #include "scenario/actions.hpp"
 
 namespace cgw::scenario {
+namespace {
+
+std::string said_of(const Step& step, const Outcome& outcome) {
+    if (outcome.met) {
+        return outcome.text;
+    }
+    return step.action->expects ? fmt::format("expected: {}; {}", outcome.text, outcome.instead)
+                                : fmt::format("{}: {}", outcome.text, outcome.instead);
+}
+
+}  // namespace
 
 Run::Run(simulation::Installation& installation, const Scenario* scenario, Time end, EventListener listener)
     : installation_(&installation),
@@ -42,8 +53,7 @@ void Run::take_steps() {
         ++count_.steps;
         count_.expectations += step.action->expects ? 1 : 0;
         count_.failed += outcome.met ? 0 : 1;
-        commentary_.tell(step.action->expects ? EventKind::expected : EventKind::step,
-                         outcome.met ? outcome.text : fmt::format("{}: {}", outcome.text, outcome.instead),
+        commentary_.tell(step.action->expects ? EventKind::expected : EventKind::step, said_of(step, outcome),
                          !outcome.met);
         commentary_.poll(installation_->now());
     }

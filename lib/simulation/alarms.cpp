@@ -44,7 +44,7 @@ std::span<const AlarmRow, alarm_count> alarm_rows() {
 }
 
 void EngineAlarms::follow(const EngineState& engine, Time passed) {
-    ran_ = engine.running() && !engine.fuel_cut ? std::min(ran_ + passed, run_up_time) : 0;
+    ran_ = engine.running() ? std::min(ran_ + passed, run_up_time) : 0;
     for (const AlarmRow& row : table) {
         const auto i = static_cast<std::size_t>(row.alarm);
         const bool beyond = watched(row) && is_beyond(row, row.limit, row.value(engine));

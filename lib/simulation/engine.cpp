@@ -59,6 +59,7 @@ void Engine::step(double seconds, const EngineInputs& inputs) {
     } else if (age_ >= start_delay) {
         step_speed(seconds, inputs);
     }
+    state_.ran_up = !state_.fuel_cut && !state_.standing() && (state_.ran_up || state_.up_to_speed());
     step_media(seconds);
 }
 
@@ -100,7 +101,7 @@ void Engine::step_speed(double seconds, const EngineInputs& inputs) {
 
 void Engine::step_load(double seconds, const EngineInputs& inputs) {
     const bool rejected = broken(EngineFault::load_rejection);
-    const bool may_load = inputs.load_enabled && state_.running() && !inputs.idle_requested && !rejected;
+    const bool may_load = inputs.load_enabled && state_.up_to_speed() && !inputs.idle_requested && !rejected;
     ramp(state_.load, may_load ? inputs.load : 0, rejected ? rejection_rate : load_rate, seconds);
 }
 

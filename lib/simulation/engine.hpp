@@ -48,9 +48,12 @@ struct EngineState {
     double exhaust_temperature = 40;
     double ambient = 1013;  // mbar
     bool fuel_cut = false;  // by the emergency stop
+    bool ran_up = false;    // has been up to speed since it stood or its fuel was cut
 
     bool standing() const { return speed < 50; }
-    bool running() const { return speed >= 0.9 * idle_speed; }
+    bool up_to_speed() const { return speed >= 0.9 * idle_speed; }
+    // Also one that is dragged down: only an engine that is being started has not run up yet.
+    bool running() const { return ran_up; }
     bool at_setpoint() const;
 };
 

@@ -11,9 +11,10 @@ bool starting(const EngineState& engine) {
 
 constexpr EngineStateBit table[] = {
     {0x01, "standing", "the engine stands", [](const Condition& c) { return c.engine->standing(); }},
-    {0x02, "starting", "it is being started", [](const Condition& c) { return starting(*c.engine); }},
-    {0x04, "running", "it runs",
-     [](const Condition& c) { return c.engine->running() && !c.engine->fuel_cut; }},
+    {0x02, "starting", "it is being started and has not run up yet",
+     [](const Condition& c) { return starting(*c.engine); }},
+    {0x04, "running", "it has run up; also when it is dragged down",
+     [](const Condition& c) { return c.engine->running(); }},
     {0x08, "at-setpoint", "its speed is at the setpoint",
      [](const Condition& c) { return c.engine->at_setpoint(); }},
     {0x10, "loaded", "it carries load", [](const Condition& c) { return c.engine->load > 1; }},

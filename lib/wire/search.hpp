@@ -14,14 +14,19 @@ constexpr bool contains(const Range& range, const Value& wanted) {
     return false;
 }
 
-template <typename Range>
-constexpr bool all_zero(const Range& range) {
+template <typename Range, typename Value>
+constexpr bool all_are(const Range& range, const Value& wanted) {
     for (const auto& value : range) {
-        if (value != 0) {
+        if (value != wanted) {
             return false;
         }
     }
     return true;
+}
+
+template <typename Range>
+constexpr bool all_zero(const Range& range) {
+    return all_are(range, 0);
 }
 
 }  // namespace cgw::wire

@@ -1,20 +1,22 @@
 // The board mps2-an385 in QEMU. Its clock is real; it has no CAN controllers, so files of the host stand for
-// the buses (semihosting): frames are taken from `received` at the time that stands with them, and sent ones
-// go to `sent`.
+// the buses (semihosting): what happens on them is taken from `received` at the time that stands with it, and
+// sent frames go to `sent`.
 #include "board.hpp"
 #include "semihosting.hpp"
 
 namespace board {
 namespace {
 
-// A frame in both files, 24 bytes, little-endian.
+enum Kind : std::uint8_t { data_frame, remote_frame, bus_goes_off, bus_comes_back, frames_lost };
+
+// A frame in both files, or what a controller says of its bus; 24 bytes, little-endian.
 struct Record {
     Time time = 0;  // microseconds
     std::uint32_t id = 0;
     std::uint8_t bus = 0;  // 1, 2; 0 in `received`: the end
     std::uint8_t length = 0;
     std::uint8_t extended = 0;
-    std::uint8_t remote = 0;
+    std::uint8_t kind = data_frame;
     std::array<std::uint8_t, 8> data{};
 };
 static_assert(sizeof(Record) == 24);
@@ -36,11 +38,23 @@ std::uint32_t last_counter;
 std::uint32_t sent;
 std::uint32_t received;
 Record next;
-bool started[3];  // by number of the bus
+
+struct Controller {
+    bool started, off, lost;
+};
+Controller controllers[3];  // by number of the bus
 
 void read_next() {
     if (semihosting::read(received, &next, sizeof next) != sizeof next) {
         semihosting::fail("the file `received` has no end record");
+    }
+}
+
+void notice(Controller& controller, std::uint8_t kind) {
+    if (kind == frames_lost) {
+        controller.lost = true;
+    } else {
+        controller.off = kind == bus_goes_off;
     }
 }
 
@@ -73,15 +87,16 @@ Time now() {
 bool Can::start(const cgw::image::Bus& bus) {
     const bool known_rate = bus.bit_rate_kbit == 125 || bus.bit_rate_kbit == 250 ||
                             bus.bit_rate_kbit == 500 || bus.bit_rate_kbit == 1000;
-    started[number_] = known_rate && !bus.manual_timing;
-    return started[number_];
+    controllers[number_].started = known_rate && !bus.manual_timing;
+    return controllers[number_].started;
 }
 
 bool Can::send(const cgw::frame::Frame& frame) {
-    const Record record{now(),        frame.id,       static_cast<std::uint8_t>(number_),
-                        frame.length, frame.extended, frame.remote,
-                        frame.data};
-    return started[number_] && semihosting::write(sent, &record, sizeof record);
+    const std::uint8_t kind = frame.remote ? remote_frame : data_frame;
+    const Record record{now(), frame.id,  static_cast<std::uint8_t>(number_), frame.length, frame.extended,
+                        kind,  frame.data};
+    const Controller& controller = controllers[number_];
+    return controller.started && !controller.off && semihosting::write(sent, &record, sizeof record);
 }
 
 bool Can::receive(cgw::frame::Frame& frame) {
@@ -94,17 +109,24 @@ bool Can::receive(cgw::frame::Frame& frame) {
     if (next.bus != number_) {
         return false;
     }
-    frame = {next.id, next.length, next.extended != 0, next.remote != 0, next.data};
+    const bool is_frame = next.kind <= remote_frame;
+    if (is_frame) {
+        frame = {next.id, next.length, next.extended != 0, next.kind == remote_frame, next.data};
+    } else {
+        notice(controllers[number_], next.kind);
+    }
     read_next();
-    return true;
+    return is_frame;
 }
 
 bool Can::bus_off() const {
-    return false;
+    return controllers[number_].off;
 }
 
 bool Can::take_overflow() {
-    return false;
+    const bool lost = controllers[number_].lost;
+    controllers[number_].lost = false;
+    return lost;
 }
 
 void feed_watchdog() {}

@@ -75,7 +75,7 @@ class Runs(Verb):
         path = self.scenario("{ at = 1, expect-state = \"stopped\" },\n{ at = 1, expect-boot-ups = 1 },")
         code, out, errors = simulate("--scenario", path)
         self.assertEqual((code, errors), (1, ""))
-        self.assertIn("   1.000 s  FAILED   the gateway is Stopped: it is Operational\n", out)
+        self.assertIn("   1.000 s  FAILED   expected: the gateway is Stopped; it is Operational\n", out)
         self.assertTrue(out.endswith("not as expected: 1 of 2 steps failed\n"))
 
     def test_the_file_given_goes_before_the_one_that_the_scenario_names(self):
@@ -110,8 +110,8 @@ class Runs(Verb):
     def test_colour_marks_what_is_bad_and_what_is_met(self):
         path = self.scenario("{ at = 1, expect-state = \"stopped\" },\n{ at = 1, expect-boot-ups = 1 },")
         out = simulate("--scenario", path, "--color", "always")[1]
-        self.assertIn("\x1b[31m   1.000 s  FAILED   the gateway is Stopped: it is Operational\x1b[0m\n", out)
-        self.assertIn("\x1b[32m   1.000 s  ok       boot-ups so far: 1\x1b[0m\n", out)
+        self.assertIn("\x1b[31m   1.000 s  FAILED   expected: the gateway is Stopped; it is Operational\x1b[0m\n", out)
+        self.assertIn("\x1b[32m   1.000 s  ok       1 boot-up so far\x1b[0m\n", out)
 
     def test_speed_follows_the_clock(self):
         begin = time.monotonic()

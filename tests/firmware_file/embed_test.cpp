@@ -83,29 +83,32 @@ TEST(EmbedIntoHex, takes_a_filled_area_and_refuses_data) {
     IntelHex file = hex_file();
     file.memory.put(place, base::Bytes(64, 0xFF));
     EXPECT_EQ(embed(bytes_of(file), sample.image, at(place))->replaced, Replaced::reserved);
-    EXPECT_EQ(why(embed(bytes_of(file), sample.image, at(place, 0x00))),
-              "image-occupied: at 0x08000100 stands 0xFF, and no image: the area is not free");
+    EXPECT_EQ(
+        why(embed(bytes_of(file), sample.image, at(place, 0x00))),
+        "image-occupied: the byte at 0x08000100 is 0xFF: the area is not free, and no image stands there");
     const std::uint64_t last = place + sample.bytes.size() - 1;
     file.memory.put(last, base::Bytes{0xFF, 0x12});
     EXPECT_EQ(why(embed(bytes_of(file), sample.image, at(place))), "");
     file.memory.put(last, base::Bytes{0xFE});
-    EXPECT_EQ(why(embed(bytes_of(file), sample.image, at(place))),
-              fmt::format("image-occupied: at {} stands 0xFE, and no image: the area is not free",
-                          address_text(last)));
-    EXPECT_EQ(why(embed(bytes_of(hex_file()), sample.image, at(0x080000F8))),
-              "image-occupied: at 0x080000F8 stands 0x4B, and no image: the area is not free");
+    EXPECT_EQ(
+        why(embed(bytes_of(file), sample.image, at(place))),
+        fmt::format("image-occupied: the byte at {} is 0xFE: the area is not free, and no image stands there",
+                    address_text(last)));
+    EXPECT_EQ(
+        why(embed(bytes_of(hex_file()), sample.image, at(0x080000F8))),
+        "image-occupied: the byte at 0x080000F8 is 0x4B: the area is not free, and no image stands there");
 }
 
 TEST(EmbedIntoHex, refuses_to_replace_a_damaged_image_or_to_begin_within_one) {
     const Sample sample;
     const Outcome<Embedded> first = embed(bytes_of(hex_file()), sample.image, at(place));
-    EXPECT_EQ(why(embed(first->file, sample.image, at(place + 8))),
-              "image-occupied: at 0x08000108 stands 0x40, and no image: the area is not free");
+    EXPECT_EQ(
+        why(embed(first->file, sample.image, at(place + 8))),
+        "image-occupied: the byte at 0x08000108 is 0x40: the area is not free, and no image stands there");
     IntelHex damaged = hex_file();
     damaged.memory.put(place, test::flipped(sample.bytes, 1000));
-    EXPECT_EQ(
-        why(embed(bytes_of(damaged), sample.image, at(place))),
-        "image-occupied: at 0x08000100 stands 0x43, and the image there is damaged: its CRC-32 does not fit");
+    EXPECT_EQ(why(embed(bytes_of(damaged), sample.image, at(place))),
+              "image-occupied: the image at 0x08000100 is damaged: its CRC-32 does not fit");
 }
 
 TEST(EmbedIntoHex, replaces_an_image_of_another_format_version) {
@@ -122,7 +125,7 @@ TEST(EmbedIntoHex, refuses_odd_places) {
     const Sample sample;
     const base::Bytes file = bytes_of(hex_file());
     EXPECT_EQ(why(embed(file, sample.image, at(place + 4))),
-              "image-alignment: 0x08000104 is no multiple of 8");
+              "image-alignment: 0x08000104, where the image would begin, is no multiple of 8");
     EmbedOptions options = at(place + 4);
     options.alignment = 4;
     EXPECT_EQ(why(embed(file, sample.image, options)), "");
@@ -190,7 +193,7 @@ TEST(EmbedIntoElf, refuses_what_is_too_small_used_or_not_loaded) {
     const std::size_t size = sample.bytes.size();
     EXPECT_EQ(
         why(embed(bytes, sample.image, at(0x08000F00))),
-        fmt::format("image-room: the segment ends 256 bytes behind 0x08000F00, the image needs {}", size));
+        fmt::format("image-room: the segment has 256 bytes from 0x08000F00 on, the image needs {}", size));
     EXPECT_EQ(why(embed(bytes, sample.image, at(0x08001000))),
               "firmware-address: no loaded segment has contents at 0x08001000");
     EXPECT_EQ(why(embed(bytes, sample.image, at(0x08000000))), "firmware-section: section .text is code");
@@ -204,10 +207,11 @@ TEST(EmbedIntoElf, refuses_what_is_too_small_used_or_not_loaded) {
     builder.set(odd, section + 16, 0x304, 4);
     builder.set(odd, section + 20, 0xEFC, 4);
     EXPECT_EQ(why(embed(odd, sample.image, in(".cgw_config"))),
-              "image-alignment: 0x08000104 is no multiple of 8");
+              "image-alignment: 0x08000104, where the image would begin, is no multiple of 8");
     bytes[0x300 + 0xEFF] = 7;
-    EXPECT_EQ(why(embed(bytes, sample.image, in(".cgw_config"))),
-              "image-occupied: at 0x08000FFF stands 0x07, and no image: the area is not free");
+    EXPECT_EQ(
+        why(embed(bytes, sample.image, in(".cgw_config"))),
+        "image-occupied: the byte at 0x08000FFF is 0x07: the area is not free, and no image stands there");
     std::fill(bytes.begin() + 0x300, bytes.begin() + 0x1200, 0);
     EXPECT_EQ(why(embed(bytes, sample.image, in(".cgw_config"))), "");
 }
@@ -229,11 +233,25 @@ TEST(EmbedIntoElf, refuses_writable_sections_code_and_what_belongs_to_several) {
     }
     EXPECT_EQ(with_flags(0x802, at(ElfBuilder::config)),
               "firmware-section: section .cgw_config is compressed");
-    EXPECT_EQ(with_flags(0, at(ElfBuilder::config)), "firmware-address: no section stands at 0x08000100");
+    EXPECT_EQ(with_flags(0, at(ElfBuilder::config)), "firmware-address: no section holds 0x08000100");
     base::Bytes twin = good;  // .twin in the middle of .cgw_config
     builder.set(twin, section + builder.section_size() + 16, 0x400, 4);
     EXPECT_EQ(why(embed(twin, sample.image, at(ElfBuilder::config))),
               "elf-structure: sections .cgw_config and .twin share bytes of the file");
+}
+
+TEST(EmbedIntoElf, says_all_that_is_demanded_of_a_section_whatever_is_wrong_with_it) {
+    const Sample sample(false);
+    const ElfBuilder builder;
+    for (const std::uint64_t flags : {std::uint64_t{0}, std::uint64_t{3}, std::uint64_t{6}}) {
+        base::Bytes bytes = builder.build();
+        builder.set(bytes, builder.sections_offset() + 2 * builder.section_size() + 8, flags, 4);
+        const Outcome<Embedded> refused = embed(bytes, sample.image, in(".cgw_config"));
+        ASSERT_FALSE(refused);
+        EXPECT_EQ(refused.error().help,
+                  "an image stands in read-only data that has contents and is loaded: a constant array, or "
+                  "(READONLY) in the linker script");
+    }
 }
 
 TEST(EmbedIntoElf, does_not_run_into_the_next_section) {
@@ -244,10 +262,10 @@ TEST(EmbedIntoElf, does_not_run_into_the_next_section) {
     builder.set(bytes, section + 20, 0x88, 4);
     EXPECT_EQ(
         why(embed(bytes, sample.image, at(ElfBuilder::config + 0x80))),
-        fmt::format("image-room: section .cgw_config ends 8 bytes behind 0x08000180, the image needs {}",
+        fmt::format("image-room: section .cgw_config has 8 bytes from 0x08000180 on, the image needs {}",
                     sample.bytes.size()));
     EXPECT_EQ(why(embed(bytes, sample.image, at(ElfBuilder::config + 0x88))),
-              "firmware-address: no section stands at 0x08000188");
+              "firmware-address: no section holds 0x08000188");
 }
 
 TEST(EmbedIntoElf, without_sections_takes_read_only_segments) {

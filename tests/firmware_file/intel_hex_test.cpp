@@ -85,7 +85,7 @@ TEST(IntelHexFile, may_end_like_a_text_of_dos) {
     EXPECT_EQ(refusal(read(good + "\x1A")), "");
     EXPECT_EQ(refusal(read(good + "\x1A\x1A\r\n")), "");
     EXPECT_EQ(refusal(read(good + "\x1A\n:00000001FF")),
-              "8:1-12 record-end: something stands behind the end record");
+              "8:1-12 record-end: something follows the end record");
     EXPECT_EQ(refusal(read("\x1A" + good)), "1:1-17 record-line: a record begins with ':'");
 }
 
@@ -124,7 +124,7 @@ TEST(IntelHexFile, is_refused_at_the_place_of_its_fault) {
     EXPECT_EQ(with(":020000040801F1", ":0100000408F3"),
               "3:2-4 record-line: a record of type 04 has 2 data bytes, this has 1");
     EXPECT_EQ(with(":04000005080000ED02", ":04000005080000ED02\n:04000005080000ED02"),
-              "6:1-20 record-line: a second start address");
+              "6:1-20 record-line: this is a second start address");
     EXPECT_EQ(
         with(":10FFF000000102030405060708090A0B0C0D0E0F89", ":10FFF100000102030405060708090A0B0C0D0E0F88"),
         "2:4-8 record-address: the record runs over the end of its 64 KiB");
@@ -133,7 +133,7 @@ TEST(IntelHexFile, is_refused_at_the_place_of_its_fault) {
     EXPECT_EQ(with(":00000001FF\n", ""),
               "5:1-1 record-end: the file ends without an end record (:00000001FF): it is not whole");
     EXPECT_EQ(with(":00000001FF\n", ":00000001FF\n:00000001FF\n"),
-              "7:1-12 record-end: something stands behind the end record");
+              "7:1-12 record-end: something follows the end record");
     EXPECT_EQ(refusal(read("")),
               "0:1-1 record-end: the file ends without an end record (:00000001FF): it is not whole");
 }

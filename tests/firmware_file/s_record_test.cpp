@@ -71,7 +71,7 @@ TEST(SRecordFile, is_cut_at_multiples_of_its_record_length) {
 TEST(SRecordFile, may_end_like_a_text_of_dos) {
     EXPECT_EQ(refusal(read(good + "\x1A\x1A")), "");
     EXPECT_EQ(refusal(read(good + "\x1A" + "S5030002FA")),
-              "6:1-12 record-end: something stands behind the end record");
+              "6:1-12 record-end: something follows the end record");
 }
 
 TEST(SRecordFile, is_refused_at_the_place_of_its_fault) {
@@ -80,7 +80,7 @@ TEST(SRecordFile, is_refused_at_the_place_of_its_fault) {
     };
     EXPECT_EQ(with("0E0F7A", "0E0F7B"), "2:45-47 record-checksum: the checksum is 7B, the bytes give 7A");
     EXPECT_EQ(with("S309", "S308"), "3:1-23 record-line: the record says that 8 bytes follow, and has 9");
-    EXPECT_EQ(with("S309", "S409"), "3:1-3 record-line: there are no records S4");
+    EXPECT_EQ(with("S309", "S409"), "3:1-3 record-line: there are no S4 records");
     EXPECT_EQ(with("S309", "T309"), "3:1-23 record-line: a record begins with S0 to S9");
     EXPECT_EQ(with("S309", "S30X"), "3:4-5 record-line: 'X' is no hexadecimal digit");
     EXPECT_EQ(with("S3090800010010111213A7", "S3"), "3:1-3 record-line: the record has no length");
@@ -91,12 +91,12 @@ TEST(SRecordFile, is_refused_at_the_place_of_its_fault) {
     EXPECT_EQ(with("S3090800010010111213A7", "S105FFFFAABB97"),
               "3:5-9 record-address: the record runs over the highest address it can have");
     EXPECT_EQ(with("S5030002FA", "S5030003F9"),
-              "4:1-11 record-end: the file has 2 data records, this says 3");
+              "4:1-11 record-end: this counts 3 data records, the file has 2");
     EXPECT_EQ(with("S5030002FA", "S5040002AA4F"), "4:1-13 record-line: this kind of record has no data");
     EXPECT_EQ(with("S705080000ED05\n", ""),
               "4:1-1 record-end: the file ends without an end record (S7, S8 or S9): it is not whole");
     EXPECT_EQ(with("S705080000ED05\n", "S705080000ED05\nS5030002FA\n"),
-              "6:1-11 record-end: something stands behind the end record");
+              "6:1-11 record-end: something follows the end record");
 }
 
 // The digit behind the S is in no checksum; files that mix widths of addresses are common.

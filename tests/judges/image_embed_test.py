@@ -214,7 +214,7 @@ class Embed(unittest.TestCase):
         damaged[damaged.index(self.image) + 500] ^= 1
         (self.dir / "damaged.elf").write_bytes(damaged)
         self.refused("damaged.elf at 0x0003E000: refused: the CRC-32 does not match (status 7)", "verify", "damaged.elf")
-        self.refused("the image there is damaged", "embed", "small.bin", "--into", "damaged.elf", "--section", ".cgw_config", "-o", "x")
+        self.refused("the image at 0x0003E000 is damaged", "embed", "small.bin", "--into", "damaged.elf", "--section", ".cgw_config", "-o", "x")
 
 
 missing = [name for name in ("gcc", CROSS + "gcc", CROSS + "objcopy") if shutil.which(name) is None]

@@ -74,6 +74,13 @@ TEST(CanonicalText, holds_the_latest_row_of_a_number_that_is_declared_twice) {
     EXPECT_EQ(canonical_text(twice), canonical_text(plant()));
 }
 
+TEST(CanonicalText, leaves_out_what_a_bootloader_means_by_a_number) {
+    const Row boot{.program = cgw::parameter::Program::bootloader, .number = 2990, .name = "BootError"};
+    Settings other = plant();
+    other.declarations.push_back(&boot);
+    EXPECT_EQ(canonical_text(other), canonical_text(plant()));
+}
+
 TEST(ConfigurationId, is_the_sha256_of_the_canonical_text) {
     const std::string text = canonical_text(plant());
     const std::vector<std::uint8_t> bytes(text.begin(), text.end());

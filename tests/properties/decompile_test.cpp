@@ -164,6 +164,26 @@ kind = "sensor"
     expect_round_trip(image_of(file, true));
 }
 
+TEST(Decompile, says_which_rows_of_a_catalogue_file_are_lost_and_works_alike_without_them) {
+    const driver::CheckedFile file = driver::check_file(CGW_TEST_DATA "/decompile/plant.toml");
+    ASSERT_TRUE(file.valid()) << file.findings.all().front().message;
+    const driver::DecompiledImage made = decompiled(image_of(file, true));
+    EXPECT_EQ(
+        made.lost,
+        (std::vector<std::string>{
+            "rows of a catalogue file, which no declaration can say: governor 820, governor 821, "
+            "governor 830, governor 831, governor 5000, gateway 500, gateway 501",
+            "names out of a catalogue file, which no declaration can say: 2990 Measured(0), 2991 Measured(1)",
+            "values of parameters that only a catalogue file knows: governor 5000, gateway 500"}));
+    EXPECT_TRUE(made.exact && made.works_alike() && !made.identical()) << everything(made);
+    EXPECT_EQ(made.differing, (std::vector<std::string>{"configuration id", "labels", "strings", "model"}));
+    for (const char* written : {"# - rows of a catalogue file",
+                                "name = \"Single\"\nkind = \"measurement\"\nunit = \"kW\"\nwidth = 8\n",
+                                "name = \"Measurement2990\"\n", "number = 16460\n\n"}) {
+        EXPECT_NE(made.text.find(written), std::string::npos) << written << made.text;
+    }
+}
+
 TEST(Decompile, says_when_another_version_wrote_the_image) {
     const base::Bytes image = image_of(driver::check_text("plant.toml", smallest), true);
     const driver::DecompiledImage made = decompiled(changed(image, image::header::tool_version, 2, 7));

@@ -21,9 +21,10 @@ class AlarmRows : public testing::TestWithParam<AlarmRow> {
     AlarmRows() { running(); }
 
     void running() {
-        engine_.speed = rated_speed, engine_.oil_pressure = 4, engine_.coolant_temperature = 80;
+        engine_.ran_up = true, engine_.speed = rated_speed, engine_.oil_pressure = 4,
+        engine_.coolant_temperature = 80;
     }
-    void standing() { engine_.speed = 0, engine_.oil_pressure = 0; }
+    void standing() { engine_.ran_up = false, engine_.speed = 0, engine_.oil_pressure = 0; }
 
     void set(double value) {
         double* const values[] = {&engine_.oil_pressure,           &engine_.oil_pressure,
@@ -126,6 +127,7 @@ TEST_P(AlarmRows, of_a_running_engine_is_silent_at_stand_still_and_during_run_up
     follow(60 * second);
     EXPECT_EQ(present(), always);
     alarms_ = {};
+    engine_.ran_up = true;
     engine_.speed = std::max(engine_.speed, idle_speed);
     follow(run_up_time - cycle);
     EXPECT_EQ(present(), always);
@@ -272,6 +274,23 @@ TEST_F(GuardedEngine, runs_away_with_a_stuck_actuator_when_its_load_is_thrown_of
     run_for(20);
     EXPECT_TRUE(engine_.state().standing());
     EXPECT_EQ(word(), 0x01 | 0x20 | 0x40 | 0x80);
+}
+
+TEST_F(GuardedEngine, runs_when_it_is_dragged_down_and_starts_only_from_standstill_or_a_stop) {
+    run_for(0.3);
+    EXPECT_EQ(engine_text(engine_.state()), "starts");
+    EXPECT_EQ(word() & 0x07, 0x02);
+    inputs_.idle_requested = true;
+    run_for(10);
+    EXPECT_EQ(word() & 0x07, 0x04);
+    engine_.report(EngineFault::actuator_stuck, true);
+    inputs_.idle_requested = false;
+    for (int cycles = 0; engine_.state().up_to_speed(); ++cycles) {
+        ASSERT_LT(cycles, 100) << "more load than the fuel it has, but it does not get slower";
+        run_for(0.01);
+    }
+    EXPECT_EQ(engine_text(engine_.state()), "runs");
+    EXPECT_EQ(word() & 0x07, 0x04);
 }
 
 TEST_F(GuardedEngine, alarm_bit_shows_faulty_sensors_as_well) {
