@@ -1,6 +1,7 @@
 #include "parameter/canonical_model.hpp"
 
 #include <array>
+#include <deque>
 
 #include "base/numbers.hpp"
 #include "base/utf8.hpp"
@@ -196,6 +197,27 @@ bool read_line(std::string_view text, CanonicalModel& model) {
     return line.fits() && line.at_end();
 }
 
+// What canonical_text() says of a plant with this model.
+std::string text_of(const CanonicalModel& model) {
+    Settings settings;
+    settings.title = model.title;
+    settings.identity = model.identity;
+    settings.main_cycle_us = model.main_cycle_us;
+    std::deque<Row> rows;
+    for (const CanonicalRow& row : model.rows) {
+        settings.declarations.push_back(&rows.emplace_back(row.row()));
+    }
+    for (const CanonicalValue& value : model.values) {
+        Row& row = rows.emplace_back();
+        row.number = value.number;
+        Assignment assignment;
+        assignment.row = &row;
+        assignment.value = value.value;
+        (value.device == Device::governor ? settings.governor : settings.gateway).assign(assignment);
+    }
+    return canonical_text(settings);
+}
+
 }  // namespace
 
 Row CanonicalRow::row() const {
@@ -217,14 +239,15 @@ std::optional<CanonicalModel> read_canonical_text(std::string_view text) {
         return std::nullopt;
     }
     CanonicalModel model;
-    while (!text.empty()) {
-        const std::size_t end = text.find('\n');
-        if (end == std::string_view::npos || !read_line(text.substr(0, end), model)) {
+    for (std::string_view rest = text; !rest.empty();) {
+        const std::size_t end = rest.find('\n');
+        if (end == std::string_view::npos || !read_line(rest.substr(0, end), model)) {
             return std::nullopt;
         }
-        text.remove_prefix(end + 1);
+        rest.remove_prefix(end + 1);
     }
-    return model;
+    // A value twice, lines in another order, a number written otherwise: none of it is written by cgw.
+    return text_of(model) == text ? std::optional(std::move(model)) : std::nullopt;
 }
 
 }  // namespace cgw::parameter

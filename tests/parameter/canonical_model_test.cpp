@@ -7,7 +7,19 @@
 namespace cgw::parameter {
 namespace {
 
-const std::string first_line = "cgw-configuration 1\n";
+// The smallest text there is.
+const std::string head = "cgw-configuration 1\ntitle \"\"\nidentity 0 0 0\nmain-cycle-us 15625\n";
+
+// That text with this line in the place of its kind, or at the end.
+std::string text_with(const std::string& line) {
+    const std::string kind = "\n" + line.substr(0, line.find(' ')) + " ";
+    const std::size_t at = head.find(kind);
+    if (at == std::string::npos) {
+        return head + line + "\n";
+    }
+    std::string text = head;
+    return text.replace(at + 1, text.find('\n', at + 1) - at - 1, line);
+}
 
 // The model as settings, whose text is the one it was read from.
 std::string text_of(const CanonicalModel& model) {
@@ -34,17 +46,18 @@ void expect_round_trip(const std::string& text) {
 }
 
 TEST(CanonicalModel, is_read_back_with_all_that_the_text_says) {
-    const std::string text = first_line +
-                             "title \"Genset \\\"2\\\" \\\\ m³\\u0001\\t\"\n"
-                             "identity 65535 9912 4294967295\n"
-                             "main-cycle-us 15625\n"
-                             "row governor 812 \"FunctDroop\" parameter switch\n"
-                             "row governor 2990 \"TorqueActual\" measurement 16 signed \"%\" "
-                             "-32768..32767 -100..100.5\n"
-                             "row gateway 4811 \"\" function switch-type\n"
-                             "governor 400 0.5\n"
-                             "governor 65535 -1e+20\n"
-                             "gateway 16404 642\n";
+    const std::string text =
+        "cgw-configuration 1\n"
+        "title \"Genset \\\"2\\\" \\\\ m³\\u0001\\t\"\n"
+        "identity 65535 9912 4294967295\n"
+        "main-cycle-us 15625\n"
+        "row governor 812 \"FunctDroop\" parameter switch\n"
+        "row governor 2990 \"TorqueActual\" measurement 16 signed \"%\" "
+        "-32768..32767 -100..100.5\n"
+        "row gateway 4811 \"\" function switch-type\n"
+        "governor 400 0.5\n"
+        "governor 65535 -1e+20\n"
+        "gateway 16404 642\n";
     const std::optional<CanonicalModel> model = read_canonical_text(text);
     ASSERT_TRUE(model);
     EXPECT_EQ(model->title, "Genset \"2\" \\ m³\x01\t");
@@ -76,14 +89,14 @@ TEST(CanonicalModel, is_read_back_with_all_that_the_text_says) {
 }
 
 TEST(CanonicalModel, of_nothing_is_read_back) {
-    expect_round_trip(canonical_text(Settings{}));
-    const std::optional<CanonicalModel> model = read_canonical_text(first_line);
+    EXPECT_EQ(canonical_text(Settings{}), head);
+    const std::optional<CanonicalModel> model = read_canonical_text(head);
     ASSERT_TRUE(model);
     EXPECT_TRUE(model->title.empty() && model->rows.empty() && model->values.empty());
+    expect_round_trip(head);
 }
 
 TEST(CanonicalModel, gives_the_same_text_whatever_a_row_holds) {
-    const std::string head = canonical_text(Settings{});
     for (const char* row : {
              "governor 900 \"Se\" parameter sensor",
              "governor 4900 \"Se\" function sensor-type",
@@ -96,13 +109,13 @@ TEST(CanonicalModel, gives_the_same_text_whatever_a_row_holds) {
              "governor 2990 \"Foo\" measurement 16 unsigned \"V\" -2147483648..2147483647 ?..1e-07",
              "governor 2990 \"Foo\" measurement 16 unsigned \"V\" 0..100 -0.5..?",
          }) {
-        expect_round_trip(head + "row " + row + "\n");
+        expect_round_trip(text_with(std::string("row ") + row));
     }
 }
 
 TEST(CanonicalModel, keeps_ends_that_are_parameters_or_blank) {
     const auto model = read_canonical_text(
-        first_line + "row governor 2918 \"P\" measurement 16 unsigned \"kW\" 0..65535 @992..?\n");
+        text_with("row governor 2918 \"P\" measurement 16 unsigned \"kW\" 0..65535 @992..?"));
     ASSERT_TRUE(model);
     const Scaling& scaling = model->rows.front().scaling.value();
     EXPECT_EQ(scaling.external_minimum_parameter, 992);
@@ -116,12 +129,37 @@ TEST(CanonicalModel, refuses_another_version_and_a_text_that_is_cut) {
     EXPECT_FALSE(read_canonical_text("cgw-configuration 1"));
     EXPECT_FALSE(read_canonical_text("cgw-configuration 2\n"));
     EXPECT_FALSE(read_canonical_text("title \"x\"\n"));
-    EXPECT_FALSE(read_canonical_text(first_line + "cgw-configuration 2\n"));
-    const std::string text = first_line + "title \"x\"\ngovernor 401 1\n";
-    for (std::size_t size = first_line.size() + 1; size < text.size(); ++size) {
-        const bool whole_lines = text[size - 1] == '\n';
-        EXPECT_EQ(read_canonical_text(text.substr(0, size)).has_value(), whole_lines) << size;
+    EXPECT_FALSE(read_canonical_text(head + "cgw-configuration 2\n"));
+    const std::string text = text_with("governor 401 1");
+    ASSERT_TRUE(read_canonical_text(text));
+    for (std::size_t size = 0; size < text.size(); ++size) {
+        EXPECT_EQ(read_canonical_text(text.substr(0, size)).has_value(), size == head.size()) << size;
     }
+}
+
+// Such a text would have another SHA-256 when cgw wrote it again.
+TEST(CanonicalModel, is_refused_when_it_is_not_as_cgw_writes_it) {
+    const std::string text = head +
+                             "row governor 812 \"FunctDroop\" parameter switch\n"
+                             "row governor 2990 \"TorqueActual\" measurement 16 signed \"%\" 0..1 @980..?\n"
+                             "governor 400 0.5\n"
+                             "governor 401 1\n";
+    expect_round_trip(text);
+    for (const auto& [old, with] : std::vector<std::pair<std::string, std::string>>{
+             {"governor 401 1\n", "governor 401 1\ngovernor 401 2\n"},
+             {"governor 401 1\n", "governor 401 1\ngovernor 401 1\n"},
+             {"governor 401 1\n", "governor 401 0\n"},
+             {"governor 401 1\n", "governor 401 1.0\n"},
+             {"governor 401 1\n", "governor 0401 1\n"},
+             {"governor 400 0.5\ngovernor 401 1\n", "governor 401 1\ngovernor 400 0.5\n"},
+             {"identity 0 0 0\n", ""},
+             {"identity 0 0 0\n", "identity 0 0 0\nidentity 0 0 0\n"},
+             {"\"FunctDroop\"", "\"Funct\\u0044roop\""},
+             {"@980", "@0980"}}) {
+        std::string changed = text;
+        EXPECT_FALSE(read_canonical_text(changed.replace(changed.find(old), old.size(), with))) << with;
+    }
+    EXPECT_FALSE(read_canonical_text(text + "\n"));
 }
 
 TEST(CanonicalModel, refuses_lines_that_have_another_form) {
@@ -156,7 +194,7 @@ TEST(CanonicalModel, refuses_lines_that_have_another_form) {
              "identity 4294967296 2 3",
              "identity 1 x 3",
          }) {
-        EXPECT_FALSE(read_canonical_text(first_line + line + "\n")) << line;
+        EXPECT_FALSE(read_canonical_text(text_with(line))) << line;
     }
 }
 
@@ -182,9 +220,10 @@ TEST(CanonicalModel, refuses_texts_that_are_no_strings) {
              "\"\xFF\"",
              "\"\xED\xA0\x80\"",
          }) {
-        EXPECT_FALSE(read_canonical_text(first_line + "title " + title + "\n")) << title;
+        EXPECT_FALSE(read_canonical_text(text_with(std::string("title ") + title))) << title;
     }
-    EXPECT_FALSE(read_canonical_text(first_line + "title\n"));
+    std::string bare = head;
+    EXPECT_FALSE(read_canonical_text(bare.replace(bare.find("title \"\""), 8, "title")));
 }
 
 TEST(CanonicalModel, refuses_rows_that_have_another_form) {
@@ -221,7 +260,7 @@ TEST(CanonicalModel, refuses_rows_that_have_another_form) {
              "governor 2990 \"T\" measurement 16 signed \"%\" 0..1 0..@65536",
              "governor 2990 \"T\" measurement 16 signed \"%\" 0..1 ??..1",
          }) {
-        EXPECT_FALSE(read_canonical_text(first_line + "row " + row + "\n")) << row;
+        EXPECT_FALSE(read_canonical_text(text_with(std::string("row ") + row))) << row;
     }
 }
 
