@@ -16,7 +16,7 @@ namespace {
 
 // The second judge looks at the whole line, and at the comments above it, for every value, and copies values
 // at every level. Its work in these units is bounded here; a file that people write needs a thousandth.
-constexpr std::size_t work_limit = 2'000'000'000;
+constexpr std::size_t work_limit = 100'000'000;
 constexpr std::size_t work_per_level = 150;
 constexpr std::size_t work_per_header_part = 2000;
 

@@ -91,6 +91,7 @@ TEST(TomlLimits, a_file_in_utf16_gets_advice) {
 
 TEST(TomlLimits, long_lines_full_of_values_are_refused_before_they_take_long) {
     constexpr const char* finding = "the file has too many values on too long lines";
+    EXPECT_NE(findings_of("a = [" + repeated("1234,", 12'000) + "]\n").find(finding), std::string::npos);
     EXPECT_NE(findings_of("a = [" + repeated("1,", 60'000) + "]\n").find(finding), std::string::npos);
     EXPECT_NE(
         findings_of("a = [\n" + repeated("#\n", 100'000) + repeated("1,", 20'000) + "]\n").find(finding),
