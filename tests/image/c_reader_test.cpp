@@ -2,7 +2,6 @@
 // ones.
 #include <gtest/gtest.h>
 
-#include <bit>
 #include <random>
 #include <string_view>
 
@@ -10,6 +9,7 @@
 #include "driver/check_file.hpp"
 #include "driver/plant.hpp"
 #include "emit/emitter.hpp"
+#include "support/image_values.hpp"
 #include "support/later_image.hpp"
 #include "support/sample_plant.hpp"
 
@@ -17,7 +17,6 @@ namespace cgw::test {
 namespace {
 
 using image::Status;
-using Numbers = std::vector<std::uint64_t>;
 
 base::Bytes image_of(const std::string& path, bool labels) {
     const driver::CheckedFile file = driver::check_file(path);
@@ -55,111 +54,10 @@ Status c_status(const base::Bytes& bytes, Numbers* values = nullptr) {
         c_reader_dump(exact.data(), exact.size(), append, values == nullptr ? &unused : values));
 }
 
-class Values {
-  public:
-    void put(auto... values) { (numbers.push_back(static_cast<std::uint64_t>(values)), ...); }
-    void bytes(const auto& range) {
-        for (const auto byte : range) {
-            numbers.push_back(static_cast<std::uint8_t>(byte));
-        }
-    }
-    void real(double value) { bytes(std::bit_cast<std::array<std::uint8_t, sizeof value>>(value)); }
-
-    Numbers numbers;
-};
-
-void put_bus(Values& values, const image::Bus& bus) {
-    values.put(bus.own_node, bus.peer_node, bus.manual_timing, bus.bit_rate_kbit);
-    values.bytes(bus.registers);
-    values.put(bus.start_up_delay_ms);
-}
-
-void put_devices(Values& values, const image::Image& image) {
-    values.put(image.format_major(), image.format_minor());
-    for (const std::uint16_t part : image.tool_version()) {
-        values.put(part);
-    }
-    values.bytes(image.configuration_id());
-    const image::Identity identity = image.identity();
-    values.put(image.crc(), identity.vendor, identity.product, identity.revision, identity.serial);
-    put_bus(values, image.can1());
-    put_bus(values, image.can2());
-    const image::Governor governor = image.governor();
-    values.put(governor.own_node, governor.gateway_node, governor.manual_timing, governor.send_errors,
-               governor.send_status, governor.bit_rate_kbit);
-    values.bytes(governor.registers);
-    values.put(governor.start_up_delay_ms, governor.main_cycle_us);
-    const image::Heartbeat heartbeat = image.heartbeat();
-    values.put(heartbeat.producer_us, heartbeat.consumer_us, heartbeat.consumer_node);
-}
-
-void put_pdos(Values& values, const image::Image& image) {
-    for (std::size_t i = 0; i < image::pdo::count; ++i) {
-        const image::Pdo pdo = image.pdo(i);
-        values.put(pdo.receive, pdo.number, pdo.active, pdo.cob_id_from_parameter, pdo.cob_id,
-                   pdo.transmission_type, pdo.effective_us, pdo.asked_ms, pdo.cycles, pdo.word_count);
-        for (const image::MappedObject& word : pdo.mapping) {
-            values.put(word.index, word.sub_index, word.bits, word.parameter);
-        }
-    }
-}
-
-void put_objects(Values& values, const image::Image& image) {
-    const object::ObjectTable objects = image.objects();
-    values.put(objects.size());
-    for (std::size_t i = 0; i < objects.size(); ++i) {
-        const object::ObjectEntry entry = objects.entry(i);
-        std::uint32_t value = 0;
-        for (std::size_t byte = 0; byte < entry.length; ++byte) {
-            value |= std::uint32_t{image.initial_values()[entry.offset + byte]} << (8 * byte);
-        }
-        values.put(entry.index, entry.sub_index, entry.type, entry.access, entry.flags, entry.length,
-                   entry.offset, value);
-    }
-}
-
-void put_inputs_and_signals(Values& values, const image::Image& image) {
-    values.put(image.switch_count());
-    for (std::size_t i = 0; i < image.switch_count(); ++i) {
-        const image::SwitchFunction function = image.switch_function(i);
-        values.put(function.number, function.bit, function.low_active);
-    }
-    values.put(image.sensor_count());
-    for (std::size_t i = 0; i < image.sensor_count(); ++i) {
-        values.put(image.sensor(i).number, image.sensor(i).channel);
-    }
-    values.put(image.signal_count());
-    for (std::size_t i = 0; i < image.signal_count(); ++i) {
-        const image::Signal signal = image.signal(i);
-        values.put(signal.number, signal.width, signal.is_signed, std::int64_t{signal.internal_minimum},
-                   std::int64_t{signal.internal_maximum});
-    }
-}
-
-void put_labels(Values& values, const image::Image& image) {
-    values.put(image.label_count());
-    for (std::size_t i = 0; i < image.label_count(); ++i) {
-        const image::Label label = image.label(i);
-        values.put(label.number, label.name.size());
-        values.bytes(label.name);
-        values.put(label.unit.size());
-        values.bytes(label.unit);
-        values.put(label.has_scaling);
-        values.real(label.external_minimum);
-        values.real(label.external_maximum);
-    }
-}
-
 Numbers values_of(const base::Bytes& bytes) {
     image::Image image;
     EXPECT_EQ(image::Image::open(bytes, image), Status::ok);
-    Values values;
-    put_devices(values, image);
-    put_pdos(values, image);
-    put_objects(values, image);
-    put_inputs_and_signals(values, image);
-    put_labels(values, image);
-    return values.numbers;
+    return values_of(image);
 }
 
 // Up to code 9 both say the same. Above it, C knows only values and texts that lie outside.
