@@ -39,7 +39,7 @@ void repair(std::span<std::uint8_t> line) {
 }  // namespace
 
 std::size_t mutate_firmware(std::uint8_t* data, std::size_t size, std::size_t limit, unsigned seed) {
-    const std::size_t changed = LLVMFuzzerMutate(data, size, limit);
+    const std::size_t changed = change_bytes(data, size, limit, seed);
     if (seed % 4 != 0 && changed != 0 && (data[0] == ':' || data[0] == 'S')) {
         std::size_t begin = 0;
         for (std::size_t at = 0; at <= changed; ++at) {

@@ -39,7 +39,7 @@ void mutate_part(Part& part, unsigned seed) {
     part.bytes.resize(old + 256);
     // Half of the time in place: most sections have a fixed length.
     const std::size_t limit = seed % 2 == 0 ? std::max<std::size_t>(old, 1) : part.bytes.size();
-    std::size_t size = LLVMFuzzerMutate(part.bytes.data(), old, limit);
+    std::size_t size = change_bytes(part.bytes.data(), old, limit, seed);
     if (limit == old) {
         size = old;
     }
@@ -64,8 +64,9 @@ void repair(std::uint8_t* data, std::size_t size) {
     wire::store_u32(data + size - image::crc_size, wire::crc32({data, size - image::crc_size}));
 }
 
-std::size_t mutate_bytes(std::uint8_t* data, std::size_t size, std::size_t limit, bool repaired) {
-    const std::size_t changed = LLVMFuzzerMutate(data, size, limit);
+std::size_t mutate_bytes(std::uint8_t* data, std::size_t size, std::size_t limit, unsigned seed,
+                         bool repaired) {
+    const std::size_t changed = change_bytes(data, size, limit, seed);
     if (repaired && changed >= image::minimum_size) {
         repair(data, changed);
     }
@@ -76,12 +77,12 @@ std::size_t mutate_bytes(std::uint8_t* data, std::size_t size, std::size_t limit
 
 std::size_t mutate_image(std::uint8_t* data, std::size_t size, std::size_t limit, unsigned seed) {
     if (seed % 4 < 2 || size < image::minimum_size) {
-        return mutate_bytes(data, size, limit, seed % 4 == 1);
+        return mutate_bytes(data, size, limit, seed, seed % 4 == 1);
     }
     const base::Bytes bytes(data, data + size);
     std::vector<Part> parts = parts_of(bytes);
     if (parts.empty()) {
-        return mutate_bytes(data, size, limit, true);
+        return mutate_bytes(data, size, limit, seed, true);
     }
     mutate_part(parts[seed / 8 % parts.size()], seed / 4);
     const std::size_t header_size =
@@ -93,7 +94,7 @@ std::size_t mutate_image(std::uint8_t* data, std::size_t size, std::size_t limit
         test::sign(made);
     }
     if (made.size() > limit) {
-        return mutate_bytes(data, size, limit, true);
+        return mutate_bytes(data, size, limit, seed, true);
     }
     std::copy(made.begin(), made.end(), data);
     return made.size();

@@ -67,7 +67,7 @@ Words all_words() {
                    "\\u0000",
                    "1979-05-27",
                    "\xEF\xBB\xBF",
-                   "kind = \"measurement\"",
+                   R"(kind = "measurement")",
                    "[[row]]",
                    "device = ",
                    "Number;Parameter;Value;Unit",
@@ -138,14 +138,14 @@ void change_lines(std::string& text, std::size_t at, unsigned seed) {
 
 std::size_t mutate_text(std::uint8_t* data, std::size_t size, std::size_t limit, unsigned seed) {
     if (seed % 8 < 3 || size == 0) {
-        return LLVMFuzzerMutate(data, size, limit);
+        return change_bytes(data, size, limit, seed);
     }
     std::string text(data, data + size);
     const unsigned choice = seed / 8;
     const std::size_t at = choice % text.size();
     seed % 8 < 6 ? change_words(text, at, choice / 7) : change_lines(text, at, choice / 7);
     if (text.size() > limit) {
-        return LLVMFuzzerMutate(data, size, limit);
+        return change_bytes(data, size, limit, seed);
     }
     std::copy(text.begin(), text.end(), data);
     return text.size();

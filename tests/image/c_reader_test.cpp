@@ -57,7 +57,7 @@ Status c_status(const base::Bytes& bytes, Numbers* values = nullptr) {
 Numbers values_of(const base::Bytes& bytes) {
     image::Image image;
     EXPECT_EQ(image::Image::open(bytes, image), Status::ok);
-    return values_of(image);
+    return test::values_of(image);
 }
 
 // Up to code 9 both say the same. Above it, C knows only values and texts that lie outside.
