@@ -97,8 +97,8 @@ TEST(GatewayPdoMapping, has_all_entries_with_unused_ones_0) {
     EXPECT_EQ(mapping(dictionary, 0x1A02), (Values{0, 0}));
     EXPECT_EQ(mapping(dictionary, 0x1A0F), (Values{0, 0, 0, 0, 0}));
     EXPECT_EQ(dictionary.find(0x1A0F, 4)->name, "Mapped Object 4");
-    EXPECT_EQ(dictionary.find(0x1600, 0)->high_limit, 3U);
-    EXPECT_EQ(dictionary.find(0x1A01, 0)->high_limit, 2U);
+    EXPECT_EQ(dictionary.find(0x1600, 0)->high_limit->number, 3U);
+    EXPECT_EQ(dictionary.find(0x1A01, 0)->high_limit->number, 2U);
 }
 
 TEST(GatewayPdoMapping, holds_the_manuals_example) {
