@@ -47,10 +47,11 @@ struct Object {
     std::uint16_t index = 0;
     std::string name;
     object::ObjectCode code = object::ObjectCode::var;
-    std::uint32_t flags = 0;                   // ObjFlags of an object with sub-objects
-    std::string denotation;                    // of an object with sub-objects
+    std::uint32_t flags = 0;                    // ObjFlags of an object with sub-objects
+    std::string denotation;                     // of an object with sub-objects
     std::vector<std::uint16_t> object_links{};  // indices of the objects that belong to it
-    std::vector<Variable> variables{};  // with sub-objects: ascending sub-indices; else exactly one, sub-index 0
+    std::vector<Variable>
+        variables{};  // with sub-objects: ascending sub-indices; else exactly one, sub-index 0
 
     const Variable* find(std::uint8_t sub_index) const;
     friend bool operator==(const Object&, const Object&) = default;
@@ -90,7 +91,8 @@ struct DeviceInformation {
     unsigned receive_pdos = 0;
     unsigned transmit_pdos = 0;
     bool lss_supported = false;
-    std::uint32_t compact_pdo = 0;  // bit n - 1: 1400h.. and 1800h.. have sub-index n without a section of their own
+    std::uint32_t compact_pdo =
+        0;  // bit n - 1: 1400h.. and 1800h.. have sub-index n without a section of their own
 
     friend bool operator==(const DeviceInformation&, const DeviceInformation&) = default;
 };
@@ -105,8 +107,35 @@ struct Commissioning {
     std::string network_name;
     bool canopen_manager = false;
     std::uint32_t serial_number = 0;  // 1018h:4
+    std::vector<std::uint16_t>
+        connected_modules;  // numbers of Dictionary::modules, in the order of their places
 
     friend bool operator==(const Commissioning&, const Commissioning&) = default;
+};
+
+// What one module of a modular device adds to an object for each place that it takes.
+struct ModuleExtension {
+    std::uint16_t index = 0;
+    Variable variable;              // of each sub-object that it adds
+    std::uint32_t count = 0;        // sub-objects that one module adds; 0: several modules share one
+    std::uint32_t shared_bits = 0;  // then: bits of it that one module takes
+    bool extends_objects = false;   // ObjExtend: beyond 254 sub-indices the next object goes on
+
+    friend bool operator==(const ModuleExtension&, const ModuleExtension&) = default;
+};
+
+// A kind of module that can be plugged to a modular device.
+struct Module {
+    std::uint8_t number = 0;  // 1..
+    std::string product_name;
+    std::uint32_t product_version = 0;
+    std::uint32_t product_revision = 0;
+    std::string order_code;
+    std::vector<std::string> comments;
+    std::vector<Object> fixed_objects;  // it adds these, once; ascending index
+    std::vector<ModuleExtension> extensions;
+
+    friend bool operator==(const Module&, const Module&) = default;
 };
 
 struct Dictionary {
@@ -115,6 +144,7 @@ struct Dictionary {
     std::vector<std::string> comments;            // [Comments]
     std::vector<std::uint8_t> supported_dummies;  // data type numbers with DummyUsage 1
     std::vector<Object> objects;                  // ascending index
+    std::vector<Module> modules;                  // of a modular device, ascending number
 
     // nullptr when the dictionary has no such object or sub-index.
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cstring>
-#include <numeric>
 #include <utility>
 
 #include "base/ascii.hpp"
@@ -73,8 +72,8 @@ void Document::read_lines() {
         Line& line = lines_.emplace_back();
         line.begin = static_cast<std::uint32_t>(at);
         line.end = static_cast<std::uint32_t>(end);
-        line.line_end = end == text_.size() ? LineEnd::none
-                        : crlf              ? LineEnd::crlf
+        line.line_end = end == text_.size()  ? LineEnd::none
+                        : crlf               ? LineEnd::crlf
                         : text_[end] == '\n' ? LineEnd::lf
                                              : LineEnd::cr;
         classify(line);
@@ -115,16 +114,34 @@ void Document::index_names() {
     for (const Section& section : sections_) {
         hashes_.push_back(hash_ignoring_case(name(section)));
     }
-    by_name_.resize(sections_.size());
-    std::iota(by_name_.begin(), by_name_.end(), 0U);
-    std::sort(by_name_.begin(), by_name_.end(), [this](std::uint32_t a, std::uint32_t b) {
-        if (hashes_[a] != hashes_[b]) {
-            return hashes_[a] < hashes_[b];
+    std::vector<std::pair<std::uint64_t, std::uint32_t>> order;
+    order.reserve(sections_.size());
+    for (std::uint32_t number = 0; number < sections_.size(); ++number) {
+        order.emplace_back(hashes_[number], number);
+    }
+    std::sort(order.begin(), order.end());
+    by_name_.reserve(order.size());
+    for (const auto& [hash, number] : order) {
+        by_name_.push_back(number);
+    }
+    for (std::size_t begin = 0, end = 0; begin < order.size(); begin = end) {
+        bool alike = true;
+        for (end = begin + 1; end < order.size() && order[end].first == order[begin].first; ++end) {
+            alike = alike && same_name(by_name_[begin], by_name_[end]);
         }
-        const std::string_view name_a = name(sections_[a]);
-        const std::string_view name_b = name(sections_[b]);
-        return less_ignoring_case(name_a, name_b) || (a < b && !less_ignoring_case(name_b, name_a));
-    });
+        if (!alike) {
+            sort_by_name(begin, end);
+        }
+    }
+}
+
+// Names of one hash, which is rare or meant to be slow.
+void Document::sort_by_name(std::size_t begin, std::size_t end) {
+    const auto first = by_name_.begin();
+    std::stable_sort(first + static_cast<std::ptrdiff_t>(begin), first + static_cast<std::ptrdiff_t>(end),
+                     [this](std::uint32_t a, std::uint32_t b) {
+                         return less_ignoring_case(name(sections_[a]), name(sections_[b]));
+                     });
 }
 
 Span Document::trimmed(std::uint32_t line, std::uint32_t begin, std::uint32_t end) const {
@@ -170,8 +187,7 @@ const Section* Document::find(std::string_view wanted) const {
             return hashes_[number] != hash ? hashes_[number] < hash
                                            : less_ignoring_case(name(sections_[number]), text);
         });
-    const bool is_it =
-        found != by_name_.end() && base::equal_ignoring_case(name(sections_[*found]), wanted);
+    const bool is_it = found != by_name_.end() && base::equal_ignoring_case(name(sections_[*found]), wanted);
     return is_it ? &sections_[*found] : nullptr;
 }
 

@@ -1,9 +1,9 @@
-// The document layer of EDS and DCF: any bytes as lines, sections and entries, each with its place. It knows the
-// syntax of CiA 306, not the meaning of a key, and refuses nothing: what is no section, entry or comment is a line
-// of kind `other`.
+// The document layer of EDS and DCF: any bytes as lines, sections and entries, each with its place. It knows
+// the syntax of CiA 306, not the meaning of a key, and refuses nothing: what is no section, entry or comment
+// is a line of kind `other`.
 //
-// Lossless: the lines with their line ends are the text, byte for byte, in its order; keys, values and names are
-// views into it. An Edit (eds/edit.hpp) replaces bytes of one line and leaves all others.
+// Lossless: the lines with their line ends are the text, byte for byte, in its order; keys, values and names
+// are views into it. An Edit (eds/edit.hpp) replaces bytes of one line and leaves all others.
 #pragma once
 
 #include <cstddef>
@@ -61,7 +61,9 @@ class Document {
     explicit Document(std::string text);
 
     const std::string& text() const { return text_; }
-    bool has_byte_order_mark() const { return text_begin_ != 0; }  // of UTF-8; not part of the first line's column
+    bool has_byte_order_mark() const {
+        return text_begin_ != 0;
+    }  // of UTF-8; not part of the first line's column
 
     std::span<const Line> lines() const { return lines_; }
     std::span<const Section> sections() const { return sections_; }
@@ -83,15 +85,16 @@ class Document {
     // 1-based; columns count bytes.
     diagnostic::Range range(const Span& span) const;
 
-    // Whatever the case; the first of that name. Section names are looked up in an index, keys from the top of their
-    // section: who wants all entries walks them once.
+    // Whatever the case; the first of that name. Section names are looked up in an index, keys from the top
+    // of their section: who wants all entries walks them once.
     const Section* find(std::string_view name) const;
     std::optional<std::uint32_t> find(const Section& section, std::string_view key) const;
 
     // nullptr: no such section or key.
     std::optional<std::string_view> value(std::string_view section, std::string_view key) const;
 
-    // Section numbers in the order of their names, whatever the case; equal names follow each other in file order.
+    // Section numbers in the order of their names, whatever the case; equal names follow each other in file
+    // order.
     std::span<const std::uint32_t> sections_by_name() const { return by_name_; }
     bool same_name(std::uint32_t a, std::uint32_t b) const;
 
@@ -99,6 +102,7 @@ class Document {
     void read_lines();
     void classify(Line& line) const;
     void index_names();
+    void sort_by_name(std::size_t begin, std::size_t end);
     Span trimmed(std::uint32_t line, std::uint32_t begin, std::uint32_t end) const;
 
     std::string text_;

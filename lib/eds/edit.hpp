@@ -22,8 +22,8 @@ class Edits {
     // The line with its line end.
     void remove(std::uint32_t line);
 
-    // Lines that follow `line` (in the order of the calls), with the line end that it has; one that ends the text
-    // without a line end gets one as the line before has, LF in a text of one line.
+    // Lines that follow `line` (in the order of the calls), with the line end that it has; one that ends the
+    // text without a line end gets one as the line before has, LF in a text of one line.
     void insert_after(std::uint32_t line, std::string_view text);
 
     bool empty() const { return changes_.empty(); }

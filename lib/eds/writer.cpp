@@ -7,6 +7,7 @@
 #include "base/ascii.hpp"
 #include "dictionary/ascii.hpp"
 #include "dictionary/data_types.hpp"
+#include "eds/words.hpp"
 
 namespace cgw::eds {
 namespace {
@@ -17,7 +18,6 @@ using dictionary::Object;
 using dictionary::Variable;
 
 constexpr std::size_t longest_line = 255;
-constexpr std::array<unsigned, 8> bit_rate_keys{10, 20, 50, 125, 250, 500, 800, 1000};
 constexpr unsigned dummy_types = 7;  // Dummy0001..Dummy0007
 
 struct ObjectList {
@@ -40,9 +40,6 @@ constexpr std::array object_lists{
     ObjectList{"OptionalObjects", is_optional},
     ObjectList{"ManufacturerObjects", is_manufacturer},
 };
-
-// Spelling of object::Access, in the order of its values.
-constexpr std::array<std::string_view, 6> access_types{"ro", "wo", "rw", "rwr", "rww", "const"};
 
 std::string decimal(std::size_t number) {
     return fmt::format("{}", number);
@@ -87,8 +84,7 @@ class Printer {
     std::string text_;
 };
 
-void file_information(Printer& out, const dictionary::FileInformation& file,
-                      const Commissioning* node) {
+void file_information(Printer& out, const dictionary::FileInformation& file, const Commissioning* node) {
     out.section("FileInfo");
     out.text_entry("FileName", file.file_name);
     out.entry("FileVersion", decimal(file.file_version));

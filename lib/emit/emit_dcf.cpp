@@ -48,8 +48,7 @@ base::Bytes emit_dcf(const Plant& plant, const Options& options) {
     node.node_id = plant.configuration.node_id;
     node.node_name = plant.settings.title.empty() ? dictionary.device.product_name : plant.settings.title;
     const dictionary::Variable* const serial = dictionary.find(identity, serial_number_sub);
-    node.serial_number = 
-        serial != nullptr ? static_cast<std::uint32_t>(serial->default_value.number) : 0;
+    node.serial_number = serial != nullptr ? static_cast<std::uint32_t>(serial->default_value.number) : 0;
     state_bit_rate(plant, node, dictionary);
     if (!states_identity(plant.configuration.identity)) {
         dictionary.comments.emplace_back(identity_not_known);

@@ -111,8 +111,8 @@ std::optional<Entry> object_entry(const ObjectName& name, const Catalogue& catal
         entry.add("entries", has_configured_names(name.index) ? "0 is their number, 1 upward the values"
                                                               : entries_text(*object));
     } else {
-        entry.add("type",
-                  fmt::format("{}, {}", dictionary::row_of(type_of(name.index, variable)).name, access_text(variable)));
+        entry.add("type", fmt::format("{}, {}", dictionary::row_of(type_of(name.index, variable)).name,
+                                      access_text(variable)));
         if (variable != nullptr && (sub != 0 || is_variable)) {
             entry.add("value", value_text(description, *variable));
         }

@@ -6,8 +6,8 @@
 
 namespace cgw::object {
 
-// CiA 301 table 44; the numbers are the ones an EDS prints as DataType. Those behind unsigned32 are for dictionaries of
-// other devices: the core carries none of them.
+// CiA 301 table 44; the numbers are the ones an EDS prints as DataType. Those behind unsigned32 are for
+// dictionaries of other devices: the core carries none of them.
 enum class DataType : std::uint8_t {
     boolean = 0x01,
     integer8 = 0x02,
@@ -64,7 +64,8 @@ enum class ObjectCode : std::uint8_t {
 
 // Has sub-objects; the others are one variable each, at sub-index 0.
 constexpr bool has_sub_objects(ObjectCode code) {
-    return code == ObjectCode::array || code == ObjectCode::record || code == ObjectCode::structure_definition;
+    return code == ObjectCode::array || code == ObjectCode::record ||
+           code == ObjectCode::structure_definition;
 }
 
 // rwr / rww: readable and writable, mappable into a TPDO (r) or an RPDO (w) only.

@@ -156,10 +156,26 @@ TEST(EdsDocument, takes_a_header_without_a_bracket_to_the_end_of_its_line) {
 
 TEST(EdsDocument, loses_nothing_of_odd_texts) {
     using namespace std::string_literals;
-    for (const std::string& text :
-         {""s, "\n"s, "\r"s, "\r\n"s, "\n\r"s, "="s, "["s, "]"s, "[]"s, "[]\n="s, ";"s, "\xEF\xBB\xBF"s,
-          "\xEF\xBB"s, "\0\0\0"s, "[a\0b]\nk\0=v\0\n"s, "\xFF\xFE[\0a\0]\0"s, " \t \n\t"s, "=\n==\n=x=\n"s,
-          "[a]\r\r\n[b]\n\n\r[c]"s, "\x1A"s}) {
+    for (const std::string& text : {""s,
+                                    "\n"s,
+                                    "\r"s,
+                                    "\r\n"s,
+                                    "\n\r"s,
+                                    "="s,
+                                    "["s,
+                                    "]"s,
+                                    "[]"s,
+                                    "[]\n="s,
+                                    ";"s,
+                                    "\xEF\xBB\xBF"s,
+                                    "\xEF\xBB"s,
+                                    "\0\0\0"s,
+                                    "[a\0b]\nk\0=v\0\n"s,
+                                    "\xFF\xFE[\0a\0]\0"s,
+                                    " \t \n\t"s,
+                                    "=\n==\n=x=\n"s,
+                                    "[a]\r\r\n[b]\n\n\r[c]"s,
+                                    "\x1A"s}) {
         expect_lossless(text);
     }
 }

@@ -47,12 +47,30 @@ class RandomText {
   private:
     std::string piece() {
         using namespace std::string_view_literals;
-        constexpr std::array pieces{
-            "[1000]"sv,         "[1018sub1]"sv, "["sv,          "]"sv,       "ParameterName=Name"sv,
-            "DataType=0x0007"sv, "="sv,          "\n"sv,         "\r\n"sv,    "\n"sv,
-            "\r"sv,             ";"sv,          "# comment"sv,  " "sv,       "\t"sv,
-            "\0"sv,             "\xE4"sv,       "\xC3\xA4"sv,   "\n[2000]\n"sv, "SubNumber=2"sv,
-            "\nDefaultValue=$NODEID+0x180\n"sv, "CompactSubObj=254\n"sv, "[2000Value]\n"sv, "1=0x1000\n"sv};
+        constexpr std::array pieces{"[1000]"sv,
+                                    "[1018sub1]"sv,
+                                    "["sv,
+                                    "]"sv,
+                                    "ParameterName=Name"sv,
+                                    "DataType=0x0007"sv,
+                                    "="sv,
+                                    "\n"sv,
+                                    "\r\n"sv,
+                                    "\n"sv,
+                                    "\r"sv,
+                                    ";"sv,
+                                    "# comment"sv,
+                                    " "sv,
+                                    "\t"sv,
+                                    "\0"sv,
+                                    "\xE4"sv,
+                                    "\xC3\xA4"sv,
+                                    "\n[2000]\n"sv,
+                                    "SubNumber=2"sv,
+                                    "\nDefaultValue=$NODEID+0x180\n"sv,
+                                    "CompactSubObj=254\n"sv,
+                                    "[2000Value]\n"sv,
+                                    "1=0x1000\n"sv};
         return std::string(pieces[below(pieces.size())]);
     }
 

@@ -1,5 +1,5 @@
-#include "eds/document.hpp"
 #include "eds/writer.hpp"
+#include "eds/document.hpp"
 
 #include <gtest/gtest.h>
 
