@@ -144,16 +144,6 @@ void Document::sort_by_name(std::size_t begin, std::size_t end) {
                      });
 }
 
-Span Document::trimmed(std::uint32_t line, std::uint32_t begin, std::uint32_t end) const {
-    while (begin < end && is_blank(text_[begin])) {
-        ++begin;
-    }
-    while (end > begin && is_blank(text_[end - 1])) {
-        --end;
-    }
-    return {line, begin, end};
-}
-
 std::uint32_t Document::preamble_end() const {
     return sections_.empty() ? static_cast<std::uint32_t>(lines_.size()) : sections_.front().header;
 }
@@ -165,14 +155,6 @@ Span Document::name_span(const Section& section) const {
         ++begin;
     }
     return trimmed(section.header, begin + 1, line.mark);
-}
-
-Span Document::key_span(std::uint32_t line) const {
-    return trimmed(line, lines_[line].begin, lines_[line].mark);
-}
-
-Span Document::value_span(std::uint32_t line) const {
-    return trimmed(line, lines_[line].mark + 1, lines_[line].end);
 }
 
 diagnostic::Range Document::range(const Span& span) const {

@@ -78,8 +78,12 @@ class Document {
     }
 
     Span name_span(const Section& section) const;
-    Span key_span(std::uint32_t line) const;    // of an entry
-    Span value_span(std::uint32_t line) const;  // of an entry
+    Span key_span(std::uint32_t line) const {  // of an entry
+        return trimmed(line, lines_[line].begin, lines_[line].mark);
+    }
+    Span value_span(std::uint32_t line) const {  // of an entry
+        return trimmed(line, lines_[line].mark + 1, lines_[line].end);
+    }
     Span line_span(std::uint32_t line) const { return {line, lines_[line].begin, lines_[line].end}; }
 
     // 1-based; columns count bytes.
@@ -103,7 +107,16 @@ class Document {
     void classify(Line& line) const;
     void index_names();
     void sort_by_name(std::size_t begin, std::size_t end);
-    Span trimmed(std::uint32_t line, std::uint32_t begin, std::uint32_t end) const;
+    Span trimmed(std::uint32_t line, std::uint32_t begin, std::uint32_t end) const {
+        const auto is_blank = [this](std::uint32_t at) { return text_[at] == ' ' || text_[at] == '\t'; };
+        while (begin < end && is_blank(begin)) {
+            ++begin;
+        }
+        while (end > begin && is_blank(end - 1)) {
+            --end;
+        }
+        return {line, begin, end};
+    }
 
     std::string text_;
     std::uint32_t text_begin_ = 0;

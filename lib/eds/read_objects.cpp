@@ -165,6 +165,8 @@ class ObjectReader {
         const auto first = std::partition_point(
             ordered.begin(), ordered.end(),
             [this](std::uint32_t section) { return reading_.sections.name(section).module < module_; });
+        constexpr std::ptrdiff_t most_objects = 0x10000;
+        objects.reserve(static_cast<std::size_t>(std::min(ordered.end() - first, most_objects)));
         for (auto at = static_cast<std::size_t>(first - ordered.begin()); at < ordered.size();) {
             const SectionName& name = reading_.sections.name(ordered[at]);
             if (name.module != module_) {
@@ -273,10 +275,18 @@ class ObjectReader {
     }
 
     void read_sub_objects(const Group& group, Object& object) {
+        constexpr std::size_t most_sub_objects = 0x100;
+        object.variables.reserve(std::min(group.end - group.begin - 1, most_sub_objects));
+        std::size_t first = group.begin;  // section of the sub-index
         for (std::size_t at = group.begin; at < group.end; ++at) {
-            if (name_at(at).kind != SectionKind::sub_object || is_repeated(at, group.begin)) {
+            if (name_at(at).kind != SectionKind::sub_object) {
                 continue;
             }
+            if (is_repeated(at, group.begin)) {
+                report_other_spelling(first, at);
+                continue;
+            }
+            first = at;
             if (reading_.variables >= most_variables) {
                 reading_.report(rules::eds_too_much, reading_.document.name_span(section_at(at)),
                                 "this and all further sub-objects are left out");
@@ -287,6 +297,16 @@ class ObjectReader {
                 object.variables.push_back(std::move(*variable));
                 ++reading_.variables;
             }
+        }
+    }
+
+    // [1018sub01] beside [1018sub1]; that names are equal has been told already.
+    void report_other_spelling(std::size_t first, std::size_t at) {
+        const std::vector<std::uint32_t>& ordered = reading_.sections.ordered();
+        if (!reading_.document.same_name(ordered[first], ordered[at])) {
+            reading_.report(rules::eds_section_twice, reading_.document.name_span(section_at(at)),
+                            fmt::format("{} is the sub-object of {}; this one is not read",
+                                        reading_.quoted(section_at(at)), reading_.quoted(section_at(first))));
         }
     }
 

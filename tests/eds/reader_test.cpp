@@ -285,6 +285,14 @@ TEST(EdsReader, tells_what_it_cannot_read_and_reads_the_rest) {
     EXPECT_EQ(result.variable(0x2005).type, DataType::unsigned8);
 }
 
+TEST(EdsReader, tells_of_two_sections_for_one_sub_object_however_they_are_spelt) {
+    const std::string entries = "DataType=5\nAccessType=ro\nDefaultValue=1\n";
+    const Result result("[2000]\nObjectType=9\n[2000sub1]\n" + entries + "[2000Sub01]\n" + entries +
+                        "[2000SUB1]\n" + entries);
+    EXPECT_EQ(result.told(), "7:2 eds-section-twice\n11:2 eds-section-twice\n");
+    EXPECT_EQ(result.sheet.dictionary.find(0x2000)->variables.size(), 1U);
+}
+
 TEST(EdsReader, tells_when_a_file_is_no_eds) {
     using namespace std::string_literals;
     EXPECT_EQ(Result("").told(), "0:0 eds-text\n");
