@@ -13,6 +13,11 @@ bool has_hexadecimal_prefix(std::string_view text) {
     return text.size() > 2 && text[0] == '0' && base::lower(text[1]) == 'x';
 }
 
+// Of a number in the language C.
+bool is_suffix(char c) {
+    return base::lower(c) == 'u' || base::lower(c) == 'l';
+}
+
 std::uint8_t digit_of(char c) {
     constexpr std::uint8_t none = 0xFF;
     if (base::is_digit(c)) {
@@ -56,10 +61,9 @@ Number parse_literal(std::string_view text) {
     } else if (text.size() > 1 && text.front() == '0') {
         radix = 8;
     }
-    const std::size_t last = text.find_last_not_of("uUlL");
-    if (last != std::string_view::npos && last + 1 < text.size()) {
+    while (text.size() > 1 && is_suffix(text.back())) {
         number.loose = true;
-        text = text.substr(0, last + 1);
+        text.remove_suffix(1);
     }
     read_digits(text, radix, number);
     return number;
@@ -97,7 +101,10 @@ Number parse_formula(std::string_view text) {
 }  // namespace
 
 Number parse_number(std::string_view text) {
-    return text.find('$') == std::string_view::npos ? parse_literal(text) : parse_formula(text);
+    const Number literal = parse_literal(text);
+    const bool is_formula =
+        literal.reading == Number::Reading::none && text.find('$') != std::string_view::npos;
+    return is_formula ? parse_formula(text) : literal;
 }
 
 }  // namespace cgw::eds

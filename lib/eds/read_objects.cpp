@@ -2,152 +2,19 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 
-#include "base/ascii.hpp"
+#include "eds/object_keys.hpp"
 #include "eds/reader.hpp"
-#include "eds/reading.hpp"
-#include "eds/words.hpp"
 
 namespace cgw::eds {
 namespace {
 
 namespace rules = diagnostic::rules;
 using dictionary::Object;
-using dictionary::TypeRow;
 using dictionary::Variable;
 using object::ObjectCode;
 
-enum class ObjectKey : std::uint8_t {
-    name,
-    object_type,
-    data_type,
-    access_type,
-    default_value,
-    parameter_value,
-    pdo_mapping,
-    low_limit,
-    high_limit,
-    sub_number,
-    flags,
-    compact_sub_objects,
-    denotation,
-    upload_file,
-    download_file,
-};
-
-constexpr KeyRow row(std::string_view name, ObjectKey id) {
-    return {name, static_cast<std::uint8_t>(id)};
-}
-
-constexpr std::array object_keys{
-    row("ParameterName", ObjectKey::name),
-    row("ObjectType", ObjectKey::object_type),
-    row("SubNumber", ObjectKey::sub_number),
-    row("DataType", ObjectKey::data_type),
-    row("AccessType", ObjectKey::access_type),
-    row("DefaultValue", ObjectKey::default_value),
-    row("ParameterValue", ObjectKey::parameter_value),
-    row("PDOMapping", ObjectKey::pdo_mapping),
-    row("LowLimit", ObjectKey::low_limit),
-    row("HighLimit", ObjectKey::high_limit),
-    row("ObjFlags", ObjectKey::flags),
-    row("CompactSubObj", ObjectKey::compact_sub_objects),
-    row("Denotation", ObjectKey::denotation),
-    row("UploadFile", ObjectKey::upload_file),
-    row("DownloadFile", ObjectKey::download_file),
-};
-
-constexpr std::array object_codes{
-    ObjectCode::null, ObjectCode::domain, ObjectCode::type_definition, ObjectCode::structure_definition,
-    ObjectCode::var,  ObjectCode::array,  ObjectCode::record};
-
 constexpr std::uint64_t most_compact_sub_objects = 254;
-
-std::optional<ObjectCode> read_code(Reading& reading, std::uint32_t line) {
-    const auto number = reading.number(line, highest_u32);
-    if (!number) {
-        return std::nullopt;
-    }
-    const auto* const code = std::find_if(object_codes.begin(), object_codes.end(), [&](ObjectCode each) {
-        return static_cast<std::uint64_t>(each) == *number;
-    });
-    if (code == object_codes.end()) {
-        reading.report(rules::eds_object_type, reading.document.value_span(line),
-                       fmt::format("{}, which is no object type of CiA 301", reading.quoted_value(line)));
-        return std::nullopt;
-    }
-    return *code;
-}
-
-const TypeRow* read_type(Reading& reading, std::uint32_t line, const Section& section, ObjectCode code) {
-    const auto number = reading.number(line, highest_u32);
-    if (!number && code == ObjectCode::domain) {
-        return &dictionary::row_of(object::DataType::domain);
-    }
-    if (!number) {
-        if (line == 0 || reading.document.value(line).empty()) {
-            reading.report(rules::eds_key_absent, reading.document.name_span(section),
-                           fmt::format("{} has no DataType; it is left out", reading.quoted(section)));
-        }
-        return nullptr;
-    }
-    const TypeRow* const type = dictionary::find_type(*number);
-    if (type == nullptr) {
-        reading.report(rules::eds_data_type, reading.document.value_span(line),
-                       fmt::format("{}, which is no data type of CiA 301; {} is left out",
-                                   reading.quoted_value(line), reading.quoted(section)));
-    }
-    return type;
-}
-
-std::optional<object::Access> read_access(Reading& reading, std::uint32_t line, const Section& section) {
-    if (line == 0 || reading.document.value(line).empty()) {
-        reading.report(rules::eds_key_absent, reading.document.name_span(section),
-                       fmt::format("{} has no AccessType; it is left out", reading.quoted(section)));
-        return std::nullopt;
-    }
-    const std::string_view word = reading.document.value(line);
-    for (std::size_t i = 0; i < access_types.size(); ++i) {
-        if (access_types[i].size() == word.size() && base::equal_ignoring_case(access_types[i], word)) {
-            return static_cast<object::Access>(i);
-        }
-    }
-    reading.report(rules::eds_access_type, reading.document.value_span(line),
-                   fmt::format("{}; it can be ro, wo, rw, rwr, rww or const; {} is left out",
-                               reading.quoted_value(line), reading.quoted(section)));
-    return std::nullopt;
-}
-
-std::optional<Variable> variable_of(Reading& reading, const Section& section, const KeyLines& lines,
-                                    ObjectCode code) {
-    const TypeRow* const type = read_type(reading, lines[ObjectKey::data_type], section, code);
-    const bool has_access = code != ObjectCode::type_definition;
-    const auto access =
-        has_access ? read_access(reading, lines[ObjectKey::access_type], section) : object::Access::ro;
-    if (type == nullptr || !access) {
-        return std::nullopt;
-    }
-    std::optional<Variable> result(std::in_place);
-    Variable& variable = *result;
-    variable.name = reading.text(lines[ObjectKey::name]);
-    variable.type = type->type;
-    variable.access = *access;
-    reading.assign_flag(lines[ObjectKey::pdo_mapping], variable.pdo_mapping);
-    reading.assign(lines[ObjectKey::flags], highest_u32, variable.flags);
-    if (auto value = reading.value(lines[ObjectKey::default_value], *type)) {
-        variable.default_value = std::move(*value);
-    } else {
-        variable.no_default = true;
-    }
-    variable.low_limit = reading.value(lines[ObjectKey::low_limit], *type);
-    variable.high_limit = reading.value(lines[ObjectKey::high_limit], *type);
-    variable.parameter_value = reading.value(lines[ObjectKey::parameter_value], *type);
-    variable.denotation = reading.text(lines[ObjectKey::denotation]);
-    variable.upload_file = reading.text(lines[ObjectKey::upload_file]);
-    variable.download_file = reading.text(lines[ObjectKey::download_file]);
-    return result;
-}
 
 // What one object has in `ordered`, from its own section on.
 struct Group {
@@ -211,10 +78,10 @@ class ObjectReader {
             return;
         }
         const Section& section = section_at(group.begin);
-        const KeyLines lines = reading_.key_lines(section, object_keys);
+        const KeyLines lines = object_key_lines(reading_, section);
         Object& object = objects.emplace_back();
         object.index = name_at(group.begin).index;
-        object.name = reading_.text(lines[ObjectKey::name]);
+        reading_.assign_text(lines[ObjectKey::name], object.name);
         read_parts(group, section, lines, object);
         if (!has_sub_objects(object.code) && object.variables.empty()) {
             objects.pop_back();  // without data, or a finding has said why
@@ -230,13 +97,10 @@ class ObjectReader {
             return;
         }
         if (!has_sub_objects(object.code)) {
-            if (auto variable = variable_of(reading_, section, lines, object.code)) {
-                object.variables.push_back(std::move(*variable));
-                ++reading_.variables;
-            }
+            add_variable(section, lines, object.code, 0, object);
         } else {
             reading_.assign(lines[ObjectKey::flags], highest_u32, object.flags);
-            object.denotation = reading_.text(lines[ObjectKey::denotation]);
+            reading_.assign_text(lines[ObjectKey::denotation], object.denotation);
             read_sub_objects(group, object);
             if (compact > 0) {
                 add_compact_variables(reading_, reading_.sections.ordered()[group.begin], compact, object);
@@ -292,11 +156,20 @@ class ObjectReader {
                                 "this and all further sub-objects are left out");
                 return;
             }
-            if (auto variable = read_variable(reading_, reading_.sections.ordered()[at])) {
-                variable->sub_index = name_at(at).sub_index;
-                object.variables.push_back(std::move(*variable));
-                ++reading_.variables;
-            }
+            const KeyLines lines = object_key_lines(reading_, section_at(at));
+            const auto code = read_code(reading_, lines[ObjectKey::object_type]).value_or(ObjectCode::var);
+            add_variable(section_at(at), lines, code, name_at(at).sub_index, object);
+        }
+    }
+
+    void add_variable(const Section& section, const KeyLines& lines, ObjectCode code, std::uint8_t sub_index,
+                      Object& object) {
+        Variable& variable = object.variables.emplace_back();
+        if (read_into(variable, reading_, section, lines, code)) {
+            variable.sub_index = sub_index;
+            ++reading_.variables;
+        } else {
+            object.variables.pop_back();
         }
     }
 
@@ -321,13 +194,6 @@ class ObjectReader {
 };
 
 }  // namespace
-
-std::optional<Variable> read_variable(Reading& reading, std::uint32_t section) {
-    const Section& of = reading.section(section);
-    const KeyLines lines = reading.key_lines(of, object_keys);
-    const ObjectCode code = read_code(reading, lines[ObjectKey::object_type]).value_or(ObjectCode::var);
-    return variable_of(reading, of, lines, code);
-}
 
 std::vector<Object> read_objects(Reading& reading, std::uint8_t module) {
     return ObjectReader(reading, module).read();

@@ -27,6 +27,7 @@ bool judge_bytes(Reading& reading) {
 void judge_lines(Reading& reading) {
     const Document& document = reading.document;
     const auto count = static_cast<std::uint32_t>(document.lines().size());
+    const std::uint32_t preamble_end = document.preamble_end();
     for (std::uint32_t line = 0; line < count; ++line) {
         const Line& each = document.lines()[line];
         if (each.kind == LineKind::other) {
@@ -35,7 +36,7 @@ void judge_lines(Reading& reading) {
         } else if (each.kind == LineKind::section && each.mark == each.end) {
             reading.report(rules::eds_header, document.line_span(line),
                            "the name of this section is not closed by ]");
-        } else if (each.kind == LineKind::entry && line < document.preamble_end()) {
+        } else if (each.kind == LineKind::entry && line < preamble_end) {
             reading.report(rules::eds_line, document.line_span(line),
                            "this entry stands before the first section; it is passed over");
         }

@@ -127,7 +127,7 @@ std::optional<std::uint32_t> Reading::entry_number(std::uint32_t line) const {
     return number;
 }
 
-bool Reading::judge(const Number& number, std::uint32_t line) {
+bool Reading::complain(const Number& number, std::uint32_t line) {
     const Span span = document.value_span(line);
     if (number.reading == Number::Reading::none) {
         const std::string_view text = document.value(line);
@@ -149,10 +149,11 @@ bool Reading::judge(const Number& number, std::uint32_t line) {
 }
 
 std::optional<std::uint64_t> Reading::number(std::uint32_t line, std::uint64_t highest) {
-    if (line == 0 || document.value(line).empty()) {
+    const std::string_view text = line != 0 ? document.value(line) : std::string_view();
+    if (text.empty()) {
         return std::nullopt;
     }
-    const Number number = parse_number(document.value(line));
+    const Number number = parse_number(text);
     if (!judge(number, line)) {
         return std::nullopt;
     }

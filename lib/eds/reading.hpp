@@ -36,7 +36,7 @@ class KeyLines {
     std::uint32_t& at(std::uint8_t id) { return lines_[id]; }
 
   private:
-    std::array<std::uint32_t, 40> lines_{};
+    std::array<std::uint32_t, 20> lines_{};
 };
 
 class Reading {
@@ -70,6 +70,11 @@ class Reading {
     std::string text(std::uint32_t line) const {
         return line != 0 ? std::string(document.value(line)) : std::string();
     }
+    void assign_text(std::uint32_t line, std::string& to) const {
+        if (line != 0) {
+            to = document.value(line);
+        }
+    }
 
     template <typename Integer>
     void assign(std::uint32_t line, std::uint64_t highest, Integer& to) {
@@ -99,7 +104,11 @@ class Reading {
   private:
     std::optional<std::uint32_t> entry_number(std::uint32_t line) const;
     // A number that was read; false when it was none, which is a finding then.
-    bool judge(const Number& number, std::uint32_t line);
+    bool judge(const Number& number, std::uint32_t line) {
+        const bool plain = number.reading != Number::Reading::none && !number.loose && !number.misplaced;
+        return plain || complain(number, line);
+    }
+    bool complain(const Number& number, std::uint32_t line);
     std::optional<dictionary::Value> numeric(std::uint32_t line, const dictionary::TypeRow& type);
     std::optional<dictionary::Value> real(std::uint32_t line, const dictionary::TypeRow& type);
     std::optional<dictionary::Value> octets(std::uint32_t line);
@@ -124,7 +133,8 @@ std::optional<dictionary::Commissioning> read_commissioning(Reading& reading);
 // All objects of the device (`module` 0) or of a module.
 std::vector<dictionary::Object> read_objects(Reading& reading, std::uint8_t module);  // read_objects.cpp
 // What a section says of one variable; nothing when its type or access cannot be read.
-std::optional<dictionary::Variable> read_variable(Reading& reading, std::uint32_t section);
+std::optional<dictionary::Variable> read_variable(Reading& reading,
+                                                  std::uint32_t section);  // read_variable.cpp
 
 // Variables for CompactSubObj, and what [xxxxName], [xxxxValue] and [xxxxDenotation] say of them.
 void add_compact_variables(Reading& reading, std::uint32_t section, std::uint8_t count,

@@ -20,7 +20,7 @@ Dictionary dictionary_of(const config::Configuration& configuration) {
     return gateway_dictionary(configuration, GatewayDocument{});
 }
 
-std::uint32_t value(const Dictionary& dictionary, std::uint16_t index, std::uint8_t sub_index) {
+std::uint64_t value(const Dictionary& dictionary, std::uint16_t index, std::uint8_t sub_index) {
     const Variable* const variable = dictionary.find(index, sub_index);
     EXPECT_NE(variable, nullptr) << std::hex << index << ':' << +sub_index;
     return variable != nullptr ? variable->default_value.number : 0xDEADBEEF;

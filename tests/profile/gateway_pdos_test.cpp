@@ -20,15 +20,15 @@ Value value(const Dictionary& dictionary, std::uint16_t index, std::uint8_t sub_
 }
 
 // Sub 0 and all entries of a mapping object.
-std::vector<std::uint32_t> mapping(const Dictionary& dictionary, std::uint16_t index) {
-    std::vector<std::uint32_t> values;
+std::vector<std::uint64_t> mapping(const Dictionary& dictionary, std::uint16_t index) {
+    std::vector<std::uint64_t> values;
     for (const dictionary::Variable& entry : dictionary.find(index)->variables) {
         values.push_back(entry.default_value.number);
     }
     return values;
 }
 
-using Values = std::vector<std::uint32_t>;
+using Values = std::vector<std::uint64_t>;
 
 }  // namespace
 
