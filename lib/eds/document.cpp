@@ -37,10 +37,7 @@ class Next {
     // At or behind `from`, which never goes back; the end of the text when there is none.
     std::size_t at(std::size_t from) {
         if (found_ < from || !searched_) {
-            const void* const found = std::memchr(text_.data() + from, wanted_, text_.size() - from);
-            found_ = found != nullptr
-                         ? static_cast<std::size_t>(static_cast<const char*>(found) - text_.data())
-                         : text_.size();
+            found_ = std::min(text_.find(wanted_, from), text_.size());
             searched_ = true;
         }
         return found_;

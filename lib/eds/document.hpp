@@ -91,11 +91,11 @@ class Document {
 
     // Whatever the case; the first of that name. Section names are looked up in an index, keys from the top
     // of their section: who wants all entries walks them once.
-    const Section* find(std::string_view name) const;
-    std::optional<std::uint32_t> find(const Section& section, std::string_view key) const;
+    const Section* find(std::string_view wanted) const;
+    std::optional<std::uint32_t> find(const Section& section, std::string_view wanted) const;
 
     // nullptr: no such section or key.
-    std::optional<std::string_view> value(std::string_view section, std::string_view key) const;
+    std::optional<std::string_view> value(std::string_view section, std::string_view wanted) const;
 
     // Section numbers in the order of their names, whatever the case; equal names follow each other in file
     // order.

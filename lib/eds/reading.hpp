@@ -56,11 +56,11 @@ class Reading {
 
     diagnostic::Location location(const Span& span) const { return {path_, document.range(span)}; }
     const Section& section(std::uint32_t number) const { return document.sections()[number]; }
-    std::string quoted(const Section& section) const;  // [name], printable
+    std::string quoted(const Section& of) const;  // [name], printable
     std::string quoted_value(std::uint32_t line) const;
 
     // Where the keys of these rows stand; a key that stands there twice is a finding, the first counts.
-    KeyLines key_lines(const Section& section, std::span<const KeyRow> rows);
+    KeyLines key_lines(const Section& of, std::span<const KeyRow> rows);
 
     // Of the entry on `line`; 0 is a key that is not there. Nothing, like an empty value: not stated, or not
     // readable, which is then a finding.
@@ -127,7 +127,7 @@ inline constexpr std::uint64_t highest_u32 = 0xFFFFFFFF;
 void read_file_information(Reading& reading, dictionary::FileInformation& file);  // read_information.cpp
 void read_device_information(Reading& reading, dictionary::DeviceInformation& device);
 void read_dummy_usage(Reading& reading, std::vector<std::uint8_t>& dummies);
-void read_comments(Reading& reading, std::uint32_t section, std::vector<std::string>& comments);
+void read_comments(Reading& reading, std::uint32_t number, std::vector<std::string>& comments);
 std::optional<dictionary::Commissioning> read_commissioning(Reading& reading);
 
 // All objects of the device (`module` 0) or of a module.
