@@ -26,6 +26,8 @@ std::string_view language_of(Example example) {
         case Example::table_rows:
         case Example::firmware:
             return "text";
+        case Example::data_sheet:
+            return "ini";
     }
     return "";
 }
@@ -120,6 +122,23 @@ const Rule* const table[] = {
     &image_alignment,
     &image_room,
     &image_occupied,
+    &eds_text,
+    &eds_line,
+    &eds_header,
+    &eds_section_twice,
+    &eds_key_twice,
+    &eds_value,
+    &eds_number_range,
+    &eds_number_form,
+    &eds_formula,
+    &eds_access_type,
+    &eds_data_type,
+    &eds_object_type,
+    &eds_key_absent,
+    &eds_section_alone,
+    &eds_entry_alone,
+    &eds_spelling,
+    &eds_too_much,
 };
 
 }  // namespace

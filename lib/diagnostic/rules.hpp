@@ -1,7 +1,7 @@
 // Every finding cgw can make, one row each. A code is never reused; a name never changes.
 // E00 file and TOML · E01 keys, parameters, values · E02 what makes the plant fail · E03 warnings · E04
-// notes · E05 tables read in and files copied · E06 scenario files · E07 firmware files. The rows stand in
-// one source file per group; what explains, lists or documents findings reads them.
+// notes · E05 tables read in and files copied · E06 scenario files · E07 firmware files · E08 EDS and DCF.
+// The rows stand in one source file per group; what explains, lists or documents findings reads them.
 #pragma once
 
 #include <span>
@@ -22,6 +22,7 @@ enum class Example {
     table_rows,      // rows of one, on top of a table that prints every row of concern
     scenario,        // steps of a scenario of samples/genset.toml that lasts 10 s
     firmware,        // an Intel HEX file into which an image is put at 0x08010000
+    data_sheet,      // sections of an EDS or DCF
 };
 
 // The language of such an example, as Markdown names it behind a fence: "toml", "text".
@@ -147,6 +148,25 @@ CGW_RULE(firmware_address);
 CGW_RULE(image_alignment);
 CGW_RULE(image_room);
 CGW_RULE(image_occupied);
+
+// E08: EDS and DCF, as they are read
+CGW_RULE(eds_text);
+CGW_RULE(eds_line);
+CGW_RULE(eds_header);
+CGW_RULE(eds_section_twice);
+CGW_RULE(eds_key_twice);
+CGW_RULE(eds_value);
+CGW_RULE(eds_number_range);
+CGW_RULE(eds_number_form);
+CGW_RULE(eds_formula);
+CGW_RULE(eds_access_type);
+CGW_RULE(eds_data_type);
+CGW_RULE(eds_object_type);
+CGW_RULE(eds_key_absent);
+CGW_RULE(eds_section_alone);
+CGW_RULE(eds_entry_alone);
+CGW_RULE(eds_spelling);
+CGW_RULE(eds_too_much);
 
 #undef CGW_RULE
 

@@ -17,32 +17,13 @@
 // characters, which is where each length limit of CiA 306 for a text comes from.
 #pragma once
 
-#include <cstdint>
-#include <optional>
 #include <string>
 
 #include "dictionary/dictionary.hpp"
-#include "eds/document.hpp"
 
 namespace cgw::eds {
 
-// What a configuration file says about its one node.
-struct Commissioning {
-    std::string last_eds;      // file name of the data sheet
-    std::uint8_t node_id = 0;  // 1..127
-    std::string node_name;
-    std::optional<std::uint32_t> bit_rate_kbit;  // the key is left out when it is not known
-    std::uint32_t net_number = 0;
-    std::string network_name;
-    bool canopen_manager = false;
-    std::uint32_t serial_number = 0;  // 1018h:4
-};
-
-Document to_document(const dictionary::Dictionary& dictionary);
-Document to_document(const dictionary::Dictionary& dictionary, const Commissioning& node);
-
-// to_document() and print() in one.
 std::string write(const dictionary::Dictionary& dictionary);
-std::string write(const dictionary::Dictionary& dictionary, const Commissioning& node);
+std::string write(const dictionary::Dictionary& dictionary, const dictionary::Commissioning& node);
 
 }  // namespace cgw::eds

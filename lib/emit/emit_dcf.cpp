@@ -18,7 +18,7 @@ constexpr std::string_view identity_not_known =
     "1018h:3 and 1018h:4 are 0 because the parameter file states no identity";
 
 // The key holds whole kbit/s only; another rate, or none, is told in a comment.
-void state_bit_rate(const Plant& plant, eds::Commissioning& node, dictionary::Dictionary& dictionary) {
+void state_bit_rate(const Plant& plant, dictionary::Commissioning& node, dictionary::Dictionary& dictionary) {
     const std::optional<std::uint32_t> rate =
         config::bit_rate(plant.configuration.can2, plant.settings.can2_bit_timing);
     if (!rate) {
@@ -43,12 +43,12 @@ bool states_identity(const parameter::Identity& identity_of_device) {
 base::Bytes emit_dcf(const Plant& plant, const Options& options) {
     dictionary::Dictionary dictionary = plant.dictionary;
     dictionary.file.file_name = file_name(*find_format(*find_emitter("dcf"), ""), options);
-    eds::Commissioning node;
+    dictionary::Commissioning node;
     node.last_eds = options.eds_name;
     node.node_id = plant.configuration.node_id;
     node.node_name = plant.settings.title.empty() ? dictionary.device.product_name : plant.settings.title;
     const dictionary::Variable* const serial = dictionary.find(identity, serial_number_sub);
-    node.serial_number = serial != nullptr ? serial->default_value.number : 0;
+    node.serial_number = serial != nullptr ? static_cast<std::uint32_t>(serial->default_value.number) : 0;
     state_bit_rate(plant, node, dictionary);
     if (!states_identity(plant.configuration.identity)) {
         dictionary.comments.emplace_back(identity_not_known);

@@ -3,6 +3,7 @@
 #include "catalogue/objects.hpp"
 #include "config/configuration.hpp"
 #include "config/numbers.hpp"
+#include "dictionary/data_types.hpp"
 #include "explain/device_objects.hpp"
 #include "explain/entries.hpp"
 #include "explain/wording.hpp"
@@ -43,26 +44,6 @@ parameter::Settings telling_settings(const Catalogue& catalogue) {
     return settings;
 }
 
-std::string_view type_text(object::DataType type) {
-    switch (type) {
-        case object::DataType::boolean:
-            return "BOOLEAN";
-        case object::DataType::integer8:
-            return "INTEGER8";
-        case object::DataType::integer16:
-            return "INTEGER16";
-        case object::DataType::integer32:
-            return "INTEGER32";
-        case object::DataType::unsigned8:
-            return "UNSIGNED8";
-        case object::DataType::unsigned16:
-            return "UNSIGNED16";
-        case object::DataType::unsigned32:
-            return "UNSIGNED32";
-    }
-    return {};
-}
-
 // 2001h and 2002h have no entries here that could say their type (D43).
 object::DataType type_of(std::uint16_t index, const dictionary::Variable* variable) {
     if (variable != nullptr) {
@@ -79,7 +60,7 @@ std::string_view access_text(const dictionary::Variable* variable) {
 
 // A value that no parameter decides: vendor number, transmission type.
 std::string value_text(const ObjectDescription& description, const dictionary::Variable& variable) {
-    const std::uint32_t value = variable.default_value.number;
+    const std::uint64_t value = variable.default_value.number;
     return description.source.empty() && value != 0 ? fmt::format("{} (0x{:X})", value, value) : "";
 }
 
@@ -130,8 +111,8 @@ std::optional<Entry> object_entry(const ObjectName& name, const Catalogue& catal
         entry.add("entries", has_configured_names(name.index) ? "0 is their number, 1 upward the values"
                                                               : entries_text(*object));
     } else {
-        entry.add("type",
-                  fmt::format("{}, {}", type_text(type_of(name.index, variable)), access_text(variable)));
+        entry.add("type", fmt::format("{}, {}", dictionary::row_of(type_of(name.index, variable)).name,
+                                      access_text(variable)));
         if (variable != nullptr && (sub != 0 || is_variable)) {
             entry.add("value", value_text(description, *variable));
         }

@@ -123,7 +123,10 @@ std::string checks_page(const Catalogue&) {
         "tables, of E0509 rows of a table that is complete otherwise; that of E0508 is a file that is "
         "copied.\n"
         "Those of E06 are steps of a [scenario](scenarios.md) of `samples/genset.toml` that lasts 10 s;\n"
-        "those of E07 are Intel HEX files into which `cgw image embed` puts an image at 0x08010000.\n\n";
+        "those of E07 are Intel HEX files into which `cgw image embed` puts an image at 0x08010000; those of "
+        "E08 "
+        "are sections\n"
+        "of an EDS.\n\n";
     std::string list = render_markdown(check_list(), heading_of_group);
     for (const Rule* rule : diagnostic::all_rules()) {
         list = replaced(list, fmt::format("| {} |", rule->code),

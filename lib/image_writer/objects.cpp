@@ -23,7 +23,7 @@ Placed place(const dictionary::Object& object, const dictionary::Variable& varia
         placed.entry.flags |= object::flag_sdo_read_only;
     }
     placed.entry.length = object::size_of(variable.type);
-    placed.value = variable.default_value.resolve(node_id);
+    placed.value = static_cast<std::uint32_t>(variable.default_value.resolve(node_id));
     return placed;
 }
 

@@ -86,7 +86,8 @@ Section identity_section(const Source& source) {
     Record record(image::identity::size);
     for (std::uint8_t sub = 1; sub <= 4; ++sub) {
         if (const dictionary::Variable* variable = source.dictionary.find(identity_index, sub)) {
-            record.u32(4U * (sub - 1U), variable->default_value.resolve(source.configuration.node_id));
+            const std::uint64_t value = variable->default_value.resolve(source.configuration.node_id);
+            record.u32(4U * (sub - 1U), static_cast<std::uint32_t>(value));
         }
     }
     append(section, record);

@@ -49,7 +49,7 @@ Question question(const Object& object, const Variable& variable, std::uint8_t n
     result.is_variable = object.code == object::ObjectCode::var;
     result.length = object::size_of(variable.type);
     result.name = name_of(object, variable);
-    result.expected = variable.default_value.resolve(node_id);
+    result.expected = static_cast<std::uint32_t>(variable.default_value.resolve(node_id));
     result.identifies = identifies(object.index, variable.sub_index);
     const bool unknown = is_specimen(object.index, variable.sub_index) && result.expected == 0;
     result.kind = variable.run_time || unknown ? Kind::type : Kind::value;

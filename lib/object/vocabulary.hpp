@@ -6,7 +6,8 @@
 
 namespace cgw::object {
 
-// CiA 301 table 44; the numbers are the ones an EDS prints as DataType.
+// CiA 301 table 44; the numbers are the ones an EDS prints as DataType. Those behind unsigned32 are for
+// dictionaries of other devices: the core carries none of them.
 enum class DataType : std::uint8_t {
     boolean = 0x01,
     integer8 = 0x02,
@@ -15,6 +16,28 @@ enum class DataType : std::uint8_t {
     unsigned8 = 0x05,
     unsigned16 = 0x06,
     unsigned32 = 0x07,
+    real32 = 0x08,
+    visible_string = 0x09,
+    octet_string = 0x0A,
+    unicode_string = 0x0B,
+    time_of_day = 0x0C,
+    time_difference = 0x0D,
+    domain = 0x0F,
+    integer24 = 0x10,
+    real64 = 0x11,
+    integer40 = 0x12,
+    integer48 = 0x13,
+    integer56 = 0x14,
+    integer64 = 0x15,
+    unsigned24 = 0x16,
+    unsigned40 = 0x18,
+    unsigned48 = 0x19,
+    unsigned56 = 0x1A,
+    unsigned64 = 0x1B,
+    pdo_communication = 0x20,
+    pdo_mapping = 0x21,
+    sdo_parameter = 0x22,
+    identity = 0x23,
 };
 
 inline constexpr std::uint8_t type_sizes[8] = {0, 1, 1, 2, 4, 1, 2, 4};  // bytes on the wire, by number
@@ -29,7 +52,21 @@ constexpr bool is_signed(DataType type) {
     return type == DataType::integer8 || type == DataType::integer16 || type == DataType::integer32;
 }
 
-enum class ObjectCode : std::uint8_t { var = 0x7, array = 0x8, record = 0x9 };
+enum class ObjectCode : std::uint8_t {
+    null = 0x0,
+    domain = 0x2,
+    type_definition = 0x5,       // DEFTYPE
+    structure_definition = 0x6,  // DEFSTRUCT
+    var = 0x7,
+    array = 0x8,
+    record = 0x9,
+};
+
+// Has sub-objects; the others are one variable each, at sub-index 0.
+constexpr bool has_sub_objects(ObjectCode code) {
+    return code == ObjectCode::array || code == ObjectCode::record ||
+           code == ObjectCode::structure_definition;
+}
 
 // rwr / rww: readable and writable, mappable into a TPDO (r) or an RPDO (w) only.
 enum class Access : std::uint8_t { ro = 0, wo = 1, rw = 2, rwr = 3, rww = 4, constant = 5 };

@@ -169,8 +169,8 @@ Variable entry_count(std::string_view name, std::size_t count, Limits limits) {
     Variable variable;
     variable.name = name;
     variable.default_value.number = static_cast<std::uint32_t>(count);
-    variable.low_limit = limits.low;
-    variable.high_limit = limits.high;
+    variable.low_limit = dictionary::Value{limits.low, false};
+    variable.high_limit = dictionary::Value{limits.high, false};
     return variable;
 }
 

@@ -10,6 +10,7 @@
 #include "driver/check_file.hpp"
 #include "driver/scenario_file.hpp"
 #include "driver/tables.hpp"
+#include "eds/reader.hpp"
 #include "emit/concerned.hpp"
 #include "firmware_file/embed.hpp"
 #include "support/scratch_directory.hpp"
@@ -103,6 +104,13 @@ diagnostic::Findings findings_in_firmware(const std::string& text) {
     return findings;
 }
 
+// What reading these sections as an EDS finds.
+diagnostic::Findings findings_in_data_sheet(const std::string& text) {
+    diagnostic::Findings findings;
+    eds::read(eds::Document(text), "example.eds", findings);
+    return findings;
+}
+
 diagnostic::Findings findings_of(Example kind, std::string_view example) {
     switch (kind) {
         case Example::none:
@@ -119,6 +127,8 @@ diagnostic::Findings findings_of(Example kind, std::string_view example) {
             return findings_in_scenario(std::string(example));
         case Example::firmware:
             return findings_in_firmware(std::string(example));
+        case Example::data_sheet:
+            return findings_in_data_sheet(std::string(example));
     }
     return {};
 }
@@ -162,7 +172,7 @@ TEST(RuleExampleKinds, without_examples_are_the_rules_that_nothing_printed_can_b
     }
     EXPECT_EQ(names,
               "file-unreadable file-too-large file-not-utf8 elf-structure firmware-section firmware-address "
-              "image-alignment image-room ");
+              "image-alignment image-room eds-text eds-too-much ");
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 // The device configuration file: what it has beyond the data sheet of the same dictionary.
 #include <gtest/gtest.h>
 
+#include "eds/document.hpp"
 #include "eds/writer.hpp"
 #include "profile/gateway.hpp"
 #include "support/sample_configuration.hpp"
@@ -11,17 +12,15 @@ namespace {
 using object::DataType;
 
 std::string entry(const Document& document, std::string_view section, std::string_view key) {
-    const Section* const found = document.find(section);
-    const std::string* const value = found != nullptr ? found->find(key) : nullptr;
-    return value != nullptr ? *value : "(missing)";
+    return std::string(document.value(section, key).value_or("(missing)"));
 }
 
 dictionary::Dictionary gateway() {
     return profile::gateway_dictionary(test::manual_configuration(), {});
 }
 
-Commissioning node_12() {
-    Commissioning node;
+dictionary::Commissioning node_12() {
+    dictionary::Commissioning node;
     node.last_eds = "plant.eds";
     node.node_id = 12;
     node.node_name = "Größe";
@@ -33,7 +32,7 @@ Commissioning node_12() {
 }  // namespace
 
 TEST(Dcf, names_its_data_sheet_and_its_node) {
-    const Document document = to_document(gateway(), node_12());
+    const Document document(write(gateway(), node_12()));
     EXPECT_EQ(entry(document, "FileInfo", "LastEDS"), "plant.eds");
     EXPECT_EQ(entry(document, "DeviceComissioning", "NodeID"), "12");
     EXPECT_EQ(entry(document, "DeviceComissioning", "NodeName"), "Groesse");
@@ -45,15 +44,15 @@ TEST(Dcf, names_its_data_sheet_and_its_node) {
 }
 
 TEST(Dcf, leaves_an_unknown_bit_rate_out) {
-    Commissioning node = node_12();
+    dictionary::Commissioning node = node_12();
     node.bit_rate_kbit.reset();
-    EXPECT_EQ(entry(to_document(gateway(), node), "DeviceComissioning", "Baudrate"), "(missing)");
+    EXPECT_EQ(entry(Document(write(gateway(), node)), "DeviceComissioning", "Baudrate"), "(missing)");
 }
 
 TEST(Dcf, resolves_the_node_number) {
     const std::string text = write(gateway(), node_12());
     EXPECT_EQ(text.find("$NODEID"), std::string::npos);
-    const Document document = to_document(gateway(), node_12());
+    const Document document(write(gateway(), node_12()));
     EXPECT_EQ(entry(document, "1200sub1", "ParameterValue"), "0x0000060C");
     EXPECT_EQ(entry(document, "1200sub1", "DefaultValue"), "0x0000060C");
     EXPECT_EQ(entry(document, "1802sub1", "ParameterValue"), "0x8000038C");  // inactive
@@ -61,7 +60,7 @@ TEST(Dcf, resolves_the_node_number) {
 }
 
 TEST(Dcf, states_values_but_for_those_that_change_at_run_time) {
-    const Document document = to_document(gateway(), node_12());
+    const Document document(write(gateway(), node_12()));
     EXPECT_EQ(entry(document, "1000", "ParameterValue"), "0x00000000");
     EXPECT_EQ(entry(document, "1A03sub1", "ParameterValue"), "0x20010110");
     EXPECT_EQ(entry(document, "2001sub0", "ParameterValue"), entry(document, "2001sub0", "DefaultValue"));
@@ -73,16 +72,21 @@ TEST(Dcf, states_values_but_for_those_that_change_at_run_time) {
 }
 
 TEST(Dcf, differs_from_the_data_sheet_in_nothing_else) {
-    const Document sheet = to_document(gateway());
-    const Document file = to_document(gateway(), node_12());
-    EXPECT_EQ(file.sections.size(), sheet.sections.size() + 1);
-    for (const Section& section : sheet.sections) {
-        for (const Line& line : section.lines) {
-            const std::string value = entry(file, section.name, line.key);
-            if (line.value.starts_with("$NODEID")) {
-                EXPECT_NE(value, line.value) << section.name << ' ' << line.key;
+    const Document sheet(write(gateway()));
+    const Document file(write(gateway(), node_12()));
+    EXPECT_EQ(file.sections().size(), sheet.sections().size() + 1);
+    for (const Section& section : sheet.sections()) {
+        const std::string_view name = sheet.name(section);
+        for (std::uint32_t line = section.header + 1; line < section.end; ++line) {
+            if (sheet.lines()[line].kind == LineKind::blank) {
+                continue;
+            }
+            const std::string_view stated = sheet.value(line);
+            const std::string value = entry(file, name, sheet.key(line));
+            if (stated.starts_with("$NODEID")) {
+                EXPECT_NE(value, stated) << name << ' ' << sheet.key(line);
             } else {
-                EXPECT_EQ(value, line.value) << section.name << ' ' << line.key;
+                EXPECT_EQ(value, stated) << name << ' ' << sheet.key(line);
             }
         }
     }

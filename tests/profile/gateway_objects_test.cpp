@@ -20,7 +20,7 @@ Dictionary dictionary_of(const config::Configuration& configuration) {
     return gateway_dictionary(configuration, GatewayDocument{});
 }
 
-std::uint32_t value(const Dictionary& dictionary, std::uint16_t index, std::uint8_t sub_index) {
+std::uint64_t value(const Dictionary& dictionary, std::uint16_t index, std::uint8_t sub_index) {
     const Variable* const variable = dictionary.find(index, sub_index);
     EXPECT_NE(variable, nullptr) << std::hex << index << ':' << +sub_index;
     return variable != nullptr ? variable->default_value.number : 0xDEADBEEF;
@@ -153,7 +153,7 @@ TEST(GatewayOutputs, hold_52_words_at_most) {
     }
     const Dictionary dictionary = dictionary_of(configuration);
     EXPECT_EQ(value(dictionary, 0x2001, 0), 52U);
-    EXPECT_EQ(dictionary.find(0x2001, 0)->high_limit, 52U);
+    EXPECT_EQ(dictionary.find(0x2001, 0)->high_limit->number, 52U);
     EXPECT_EQ(dictionary.find(0x2001, 52)->name, "Speed 52");
     const Names names = entry_names(dictionary, 0x2001);
     EXPECT_EQ(std::set<std::string>(names.begin(), names.end()).size(), 52U);
@@ -180,7 +180,7 @@ TEST(GatewayInputs, have_an_entry_for_every_channel_up_to_the_highest) {
     EXPECT_EQ(entry_names(dictionary, 0x2004),
               (Names{"AssignIn_Setp1Ext", "Unused Channel 2", "Sensor 907"}));
     EXPECT_EQ(value(dictionary, 0x2004, 0), 3U);
-    EXPECT_EQ(dictionary.find(0x2004, 0)->high_limit, 12U);
+    EXPECT_EQ(dictionary.find(0x2004, 0)->high_limit->number, 12U);
 }
 
 TEST(GatewayProcessData, has_types_and_access_of_the_rulings) {

@@ -20,15 +20,15 @@ Value value(const Dictionary& dictionary, std::uint16_t index, std::uint8_t sub_
 }
 
 // Sub 0 and all entries of a mapping object.
-std::vector<std::uint32_t> mapping(const Dictionary& dictionary, std::uint16_t index) {
-    std::vector<std::uint32_t> values;
+std::vector<std::uint64_t> mapping(const Dictionary& dictionary, std::uint16_t index) {
+    std::vector<std::uint64_t> values;
     for (const dictionary::Variable& entry : dictionary.find(index)->variables) {
         values.push_back(entry.default_value.number);
     }
     return values;
 }
 
-using Values = std::vector<std::uint32_t>;
+using Values = std::vector<std::uint64_t>;
 
 }  // namespace
 
@@ -97,8 +97,8 @@ TEST(GatewayPdoMapping, has_all_entries_with_unused_ones_0) {
     EXPECT_EQ(mapping(dictionary, 0x1A02), (Values{0, 0}));
     EXPECT_EQ(mapping(dictionary, 0x1A0F), (Values{0, 0, 0, 0, 0}));
     EXPECT_EQ(dictionary.find(0x1A0F, 4)->name, "Mapped Object 4");
-    EXPECT_EQ(dictionary.find(0x1600, 0)->high_limit, 3U);
-    EXPECT_EQ(dictionary.find(0x1A01, 0)->high_limit, 2U);
+    EXPECT_EQ(dictionary.find(0x1600, 0)->high_limit->number, 3U);
+    EXPECT_EQ(dictionary.find(0x1A01, 0)->high_limit->number, 2U);
 }
 
 TEST(GatewayPdoMapping, holds_the_manuals_example) {

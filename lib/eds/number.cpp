@@ -1,0 +1,110 @@
+#include "eds/number.hpp"
+
+#include <limits>
+
+#include "base/ascii.hpp"
+
+namespace cgw::eds {
+namespace {
+
+constexpr std::string_view node_id = "$NODEID";
+
+bool has_hexadecimal_prefix(std::string_view text) {
+    return text.size() > 2 && text[0] == '0' && base::lower(text[1]) == 'x';
+}
+
+// Of a number in the language C.
+bool is_suffix(char c) {
+    return base::lower(c) == 'u' || base::lower(c) == 'l';
+}
+
+std::uint8_t digit_of(char c) {
+    constexpr std::uint8_t none = 0xFF;
+    if (base::is_digit(c)) {
+        return static_cast<std::uint8_t>(c - '0');
+    }
+    const char letter = base::lower(c);
+    return letter >= 'a' && letter <= 'f' ? static_cast<std::uint8_t>(letter - 'a' + 10) : none;
+}
+
+void read_digits(std::string_view digits, std::uint64_t radix, Number& number) {
+    number.reading = digits.empty() ? Number::Reading::none : Number::Reading::number;
+    for (const char c : digits) {
+        const std::uint64_t digit = digit_of(c);
+        if (digit >= radix) {
+            number.reading = Number::Reading::none;
+            return;
+        }
+        if (number.magnitude > (std::numeric_limits<std::uint64_t>::max() - digit) / radix) {
+            number.reading = Number::Reading::too_large;  // and still no number, should a letter follow
+        } else {
+            number.magnitude = number.magnitude * radix + digit;
+        }
+    }
+}
+
+Number parse_literal(std::string_view text) {
+    Number number;
+    if (!text.empty() && (text.front() == '-' || text.front() == '+')) {
+        number.negative = text.front() == '-';
+        number.loose = text.front() == '+';
+        text.remove_prefix(1);
+    }
+    std::uint64_t radix = 10;
+    if (has_hexadecimal_prefix(text)) {
+        radix = 16;
+        text.remove_prefix(2);
+        while (has_hexadecimal_prefix(text)) {
+            number.loose = true;
+            text.remove_prefix(2);
+        }
+    } else if (text.size() > 1 && text.front() == '0') {
+        radix = 8;
+    }
+    while (text.size() > 1 && is_suffix(text.back())) {
+        number.loose = true;
+        text.remove_suffix(1);
+    }
+    read_digits(text, radix, number);
+    return number;
+}
+
+// The terms of a sum, of which one is the node number.
+Number parse_formula(std::string_view text) {
+    Number sum;
+    sum.reading = Number::Reading::number;
+    for (bool first = true;; first = false) {
+        const std::size_t plus = text.find('+');
+        const std::string_view part = text.substr(0, plus);
+        const std::string_view term = base::trimmed(part);
+        const bool is_node_id = base::equal_ignoring_case(term, node_id);
+        sum.misplaced |= term.size() != part.size() || is_node_id != first || (is_node_id && term != node_id);
+        const Number number = is_node_id ? Number{.reading = Number::Reading::number} : parse_literal(term);
+        if (number.reading == Number::Reading::none || number.negative ||
+            (is_node_id && sum.node_id_relative)) {
+            return {};
+        }
+        sum.node_id_relative |= is_node_id;
+        sum.loose |= number.loose;
+        if (number.reading == Number::Reading::too_large ||
+            number.magnitude > std::numeric_limits<std::uint64_t>::max() - sum.magnitude) {
+            sum.reading = Number::Reading::too_large;
+        }
+        sum.magnitude += number.magnitude;
+        if (plus == std::string_view::npos) {
+            return sum.node_id_relative ? sum : Number{};
+        }
+        text.remove_prefix(plus + 1);
+    }
+}
+
+}  // namespace
+
+Number parse_number(std::string_view text) {
+    const Number literal = parse_literal(text);
+    const bool is_formula =
+        literal.reading == Number::Reading::none && text.find('$') != std::string_view::npos;
+    return is_formula ? parse_formula(text) : literal;
+}
+
+}  // namespace cgw::eds

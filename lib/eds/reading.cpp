@@ -1,0 +1,250 @@
+#include "eds/reading.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+#include "base/ascii.hpp"
+#include "base/numbers.hpp"
+#include "base/utf8.hpp"
+#include "eds/reader.hpp"
+
+namespace cgw::eds {
+namespace {
+
+namespace rules = diagnostic::rules;
+using dictionary::TypeKind;
+using dictionary::TypeRow;
+using dictionary::Value;
+
+constexpr std::size_t longest_quote = 60;
+
+std::string quote(std::string_view text) {
+    const bool cut = text.size() > longest_quote;
+    return fmt::format("`{}{}`", base::printable(text.substr(0, longest_quote)), cut ? "..." : "");
+}
+
+std::uint64_t mask_of(unsigned bits) {
+    return bits >= 64 ? ~std::uint64_t{0} : (std::uint64_t{1} << bits) - 1;
+}
+
+// A number without sign may use all bits of a signed type: 0xFFFF is what many files write for -1.
+bool fits(const Number& number, const TypeRow& type) {
+    if (!number.negative) {
+        return number.magnitude <= mask_of(type.bits);
+    }
+    return type.kind == TypeKind::integer ? number.magnitude <= std::uint64_t{1} << (type.bits - 1)
+                                          : number.magnitude == 0;
+}
+
+}  // namespace
+
+void Reading::report(const diagnostic::Rule& rule, const Span& span, std::string message, std::string help,
+                     std::vector<diagnostic::Related> related) {
+    if (++counts_[&rule] <= most_findings) {
+        findings_.report({&rule, std::move(message), location(span), std::move(related), std::move(help)});
+    }
+}
+
+void Reading::report_whole_file(const diagnostic::Rule& rule, std::string message) {
+    findings_.report({&rule, std::move(message), {path_, {}}});
+}
+
+void Reading::finish() {
+    for (const auto& [rule, count] : counts_) {
+        if (count > most_findings) {
+            report_whole_file(*rule, fmt::format("{} more findings of this kind are not told one by one",
+                                                 count - most_findings));
+        }
+    }
+}
+
+std::string Reading::quoted(const Section& of) const {
+    const std::string_view name = document.name(of);
+    return fmt::format("[{}{}]", base::printable(name.substr(0, longest_quote)),
+                       name.size() > longest_quote ? "..." : "");
+}
+
+std::string Reading::quoted_value(std::uint32_t line) const {
+    return fmt::format("{} is {}", base::printable(document.key(line).substr(0, longest_quote)),
+                       quote(document.value(line)));
+}
+
+KeyLines Reading::key_lines(const Section& of, std::span<const KeyRow> rows) {
+    KeyLines found;
+    std::size_t expected = 0;  // keys mostly come in the order of the rows
+    for (std::uint32_t line = of.header + 1; line < of.end; ++line) {
+        if (document.lines()[line].kind != LineKind::entry) {
+            continue;
+        }
+        const std::string_view key = document.key(line);
+        for (std::size_t i = 0; i < rows.size(); ++i) {
+            const std::size_t at = expected + i < rows.size() ? expected + i : expected + i - rows.size();
+            const KeyRow& row = rows[at];
+            if (row.name != key &&
+                (row.name.size() != key.size() || !base::equal_ignoring_case(row.name, key))) {
+                continue;
+            }
+            expected = at + 1 < rows.size() ? at + 1 : 0;
+            std::uint32_t& place = found.at(row.id);
+            if (place != 0) {
+                report(rules::eds_key_twice, document.key_span(line),
+                       fmt::format("{} stands in {} already; this one is not read", base::printable(key),
+                                   quoted(of)),
+                       "", {{location(document.key_span(place)), "the one that is read"}});
+                break;
+            }
+            place = line;
+            if (row.misspelt) {
+                const auto right = std::find_if(rows.begin(), rows.end(), [&](const KeyRow& each) {
+                    return each.id == row.id && !each.misspelt;
+                });
+                report(rules::eds_spelling, document.key_span(line),
+                       fmt::format("{} is no key of CiA 306; it is read as {}", base::printable(key),
+                                   right->name));
+            }
+            break;
+        }
+    }
+    return found;
+}
+
+std::optional<std::uint32_t> Reading::entry_number(std::uint32_t line) const {
+    constexpr std::size_t most_digits = 9;
+    if (document.lines()[line].kind != LineKind::entry) {
+        return std::nullopt;
+    }
+    const std::string_view key = document.key(line);
+    if (key.size() > most_digits || !base::consists_of(key, base::digits)) {
+        return std::nullopt;
+    }
+    std::uint32_t number = 0;
+    for (const char c : key) {
+        number = number * 10 + static_cast<std::uint32_t>(c - '0');
+    }
+    return number;
+}
+
+bool Reading::complain(const Number& number, std::uint32_t line) {
+    const Span span = document.value_span(line);
+    if (number.reading == Number::Reading::none) {
+        const std::string_view text = document.value(line);
+        const bool octal = text.size() > 1 && text.front() == '0' && base::consists_of(text, base::digits);
+        report(rules::eds_value, span, fmt::format("{}, which is no number", quoted_value(line)),
+               octal ? "a leading 0 means octal, which has no 8 and no 9" : "");
+        return false;
+    }
+    if (number.loose) {
+        report(rules::eds_number_form, span,
+               fmt::format("{}, which is no number of CiA 306", quoted_value(line)),
+               fmt::format("it is read as {}0x{:X}", number.negative ? "-" : "", number.magnitude));
+    }
+    if (number.misplaced) {
+        report(rules::eds_formula, span, fmt::format("{}", quoted_value(line)),
+               fmt::format("write $NODEID+0x{:X}", number.magnitude));
+    }
+    return true;
+}
+
+std::optional<std::uint64_t> Reading::number(std::uint32_t line, std::uint64_t highest) {
+    const std::string_view text = line != 0 ? document.value(line) : std::string_view();
+    if (text.empty()) {
+        return std::nullopt;
+    }
+    const Number number = parse_number(text);
+    if (!judge(number, line)) {
+        return std::nullopt;
+    }
+    if (number.node_id_relative) {
+        report(rules::eds_value, document.value_span(line),
+               fmt::format("{}, and nothing here follows the node number", quoted_value(line)));
+        return std::nullopt;
+    }
+    if (number.reading == Number::Reading::too_large || number.magnitude > highest ||
+        (number.negative && number.magnitude != 0)) {
+        report(rules::eds_number_range, document.value_span(line),
+               fmt::format("{}; it can be 0 to {}", quoted_value(line), highest));
+        return std::nullopt;
+    }
+    return number.magnitude;
+}
+
+std::optional<Value> Reading::numeric(std::uint32_t line, const TypeRow& type) {
+    const Number number = parse_number(document.value(line));
+    if (!judge(number, line)) {
+        return std::nullopt;
+    }
+    if (number.reading == Number::Reading::too_large || !fits(number, type)) {
+        report(rules::eds_number_range, document.value_span(line),
+               fmt::format("{}, which is too large for {}", quoted_value(line), type.name));
+        return std::nullopt;
+    }
+    const std::uint64_t bits = number.negative ? ~number.magnitude + 1 : number.magnitude;
+    return Value{bits & mask_of(type.bits), number.node_id_relative};
+}
+
+// As a decimal number, or the bits of it in hexadecimal.
+std::optional<Value> Reading::real(std::uint32_t line, const TypeRow& type) {
+    const std::string_view text = document.value(line);
+    if (text.starts_with("0x") || text.starts_with("0X")) {
+        return numeric(line, type);
+    }
+    const std::optional<double> number = base::parse_real(text);
+    if (!number) {
+        report(rules::eds_value, document.value_span(line),
+               fmt::format("{}, which is no number", quoted_value(line)));
+        return std::nullopt;
+    }
+    if (type.bits == 64) {
+        return Value{std::bit_cast<std::uint64_t>(*number)};
+    }
+    const auto narrow = static_cast<float>(*number);
+    if (!std::isfinite(narrow)) {
+        report(rules::eds_number_range, document.value_span(line),
+               fmt::format("{}, which is too large for {}", quoted_value(line), type.name));
+        return std::nullopt;
+    }
+    return Value{std::bit_cast<std::uint32_t>(narrow)};
+}
+
+// Pairs of hexadecimal digits; blanks between them are passed over.
+std::optional<Value> Reading::octets(std::uint32_t line) {
+    std::string digits(document.value(line));
+    std::erase(digits, ' ');
+    Value value;
+    if (digits.size() % 2 != 0 || !base::consists_of(digits, base::hexadecimal_digits)) {
+        report(rules::eds_value, document.value_span(line),
+               fmt::format("{}, which is not pairs of hexadecimal digits", quoted_value(line)));
+        return std::nullopt;
+    }
+    if (digits.size() != document.value(line).size()) {
+        report(rules::eds_number_form, document.value_span(line),
+               fmt::format("{}: blanks stand between the digits", quoted_value(line)));
+    }
+    for (std::size_t i = 0; i < digits.size(); i += 2) {
+        value.bytes += static_cast<char>(*base::parse_integer(digits.substr(i, 2), 16));
+    }
+    return value;
+}
+
+std::optional<Value> Reading::value(std::uint32_t line, const TypeRow& type) {
+    if (line == 0 || document.value(line).empty() || type.kind == TypeKind::structure) {
+        return std::nullopt;
+    }
+    switch (type.kind) {
+        case TypeKind::real:
+            return real(line, type);
+        case TypeKind::octet_string:
+        case TypeKind::domain:
+            return octets(line);
+        case TypeKind::visible_string:
+        case TypeKind::unicode_string:
+            return Value{0, false, std::string(document.value(line))};
+        default:
+            return numeric(line, type);
+    }
+}
+
+}  // namespace cgw::eds
