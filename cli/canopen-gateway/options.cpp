@@ -7,6 +7,7 @@
 #include <charconv>
 #include <cmath>
 #include <filesystem>
+#include <optional>
 
 #include "base/wrap.hpp"
 #include "media/open_channel.hpp"
@@ -153,6 +154,9 @@ std::string contradiction(const Options& options) {
         return fmt::format("{} is for real time: give --can1 or --can2 a CAN bus",
                            options.status ? "--status" : "--state");
     }
+    if (media::same_bus(options.can1, options.can2)) {
+        return fmt::format("--can1 and --can2 are the same bus, {}; a gateway joins two", options.can1);
+    }
     namespace fs = std::filesystem;
     std::error_code ignored;
     if (!options.state.empty() && !options.log.empty() &&
@@ -166,6 +170,7 @@ std::string contradiction(const Options& options) {
 }  // namespace
 
 bool parse_options(std::span<const char* const> arguments, Options& options, std::string& error) {
+    std::array<std::optional<std::string_view>, option_rows.size()> given{};
     for (std::size_t i = 0; i < arguments.size(); ++i) {
         const std::string_view argument = arguments[i];
         const std::size_t equals =
@@ -187,6 +192,11 @@ bool parse_options(std::span<const char* const> arguments, Options& options, std
             error = fmt::format("{} takes no value", name);
             return false;
         }
+        if (!flag && given[row]) {
+            error = fmt::format("{} is given twice: {} and {}", name, *given[row], value);
+            return false;
+        }
+        given[row] = value;
         if (!readings[row].set(options, value)) {
             error = fmt::format("{} '{}': expected {}", name, value, readings[row].expected);
             return false;

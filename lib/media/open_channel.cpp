@@ -34,6 +34,11 @@ std::string hub_mistake(std::string_view whole, std::string_view rest) {
                : mistake(whole, "port 0 is nobody's; cgw hub says on which port it listens", hub_form);
 }
 
+std::string hub_bus(std::string_view rest) {
+    const bool is_named = rest.find('/') != std::string_view::npos;
+    return is_named ? std::string(rest) : fmt::format("{}/{}", rest, HubChannelOptions().bus);
+}
+
 Opened open_hub(std::string_view whole, std::string_view rest) {
     HubChannelOptions options;
     const std::size_t slash = rest.find('/');
@@ -55,6 +60,10 @@ Opened open_interface(std::string_view /*whole*/, std::string_view rest) {
     return open_socketcan(std::string(rest));
 }
 
+std::string interface_bus(std::string_view rest) {
+    return std::string(rest);
+}
+
 std::string adapter_mistake(std::string_view whole, std::string_view rest) {
     const std::size_t at = rest.rfind('@');
     const auto kbit = at == std::string_view::npos ? std::nullopt : base::parse_integer(rest.substr(at + 1));
@@ -69,12 +78,18 @@ Opened open_adapter(std::string_view /*whole*/, std::string_view rest) {
                       static_cast<unsigned>(*base::parse_integer(rest.substr(at + 1))));
 }
 
+// An adapter is one bus, whatever its rate.
+std::string adapter_bus(std::string_view rest) {
+    return std::string(rest.substr(0, rest.rfind('@')));
+}
+
 constexpr ChannelKind kinds[] = {
-    {"hub", hub_form, "a bus of cgw hub or socketcand; BUS is can0 if not given", hub_mistake, open_hub},
+    {"hub", hub_form, "a bus of cgw hub or socketcand; BUS is can0 if not given", hub_mistake, open_hub,
+     hub_bus},
     {"socketcan", socketcan_form, "a CAN interface of the Linux kernel, can0 or vcan0", interface_mistake,
-     open_interface},
-    {"slcan", slcan_form, "a serial adapter that speaks slcan, at KBIT kbit/s", adapter_mistake,
-     open_adapter},
+     open_interface, interface_bus},
+    {"slcan", slcan_form, "a serial adapter that speaks slcan, at KBIT kbit/s", adapter_mistake, open_adapter,
+     adapter_bus},
 };
 
 std::string all_forms() {
@@ -108,6 +123,13 @@ std::string channel_mistake(std::string_view text) {
     const ChannelKind* const kind = find_kind(text, rest);
     return kind == nullptr ? fmt::format("'{}' is no CAN bus; write {}", text, all_forms())
                            : kind->mistake(text, rest);
+}
+
+bool same_bus(std::string_view a, std::string_view b) {
+    std::string_view rest_a;
+    std::string_view rest_b;
+    const ChannelKind* const kind = find_kind(a, rest_a);
+    return kind != nullptr && kind == find_kind(b, rest_b) && kind->bus(rest_a) == kind->bus(rest_b);
 }
 
 Opened open_channel(std::string_view text) {

@@ -19,12 +19,16 @@ struct ChannelKind {
     // empty: nothing, and then it can be opened.
     std::string (*mistake)(std::string_view whole, std::string_view rest);
     base::Result<std::unique_ptr<Channel>> (*open)(std::string_view whole, std::string_view rest);
+    std::string (*bus)(std::string_view rest);  // for same_bus()
 };
 
 std::span<const ChannelKind> channel_kinds();
 
 // What is wrong with `text` as a text, one line; empty: nothing.
 std::string channel_mistake(std::string_view text);
+
+// Whether two texts without a mistake mean one bus. Names of one host that differ are not seen through.
+bool same_bus(std::string_view a, std::string_view b);
 
 // The failure is a mistake in `text`, or a host, an interface or a serial port that does not exist. Whether
 // the bus can be reached is heard from the channel, which keeps trying.

@@ -63,6 +63,29 @@ TEST(GatewayOptions, refuses_what_does_not_go_together) {
     EXPECT_EQ(error_of({"--state", "s"}), "--state is for real time: give --can1 or --can2 a CAN bus");
 }
 
+TEST(GatewayOptions, refuses_the_same_bus_on_both_sides) {
+    EXPECT_EQ(error_of({"--can1", "hub:localhost:1", "--can2", "hub:localhost:1/can0"}),
+              "--can1 and --can2 are the same bus, hub:localhost:1; a gateway joins two");
+    EXPECT_NE(error_of({"--can1=socketcan:can0", "--can2=socketcan:can0"}), "");
+    EXPECT_NE(error_of({"--can1=slcan:/dev/ttyACM0@250", "--can2=slcan:/dev/ttyACM0@125"}), "");
+    Options options;
+    std::string error;
+    for (const std::vector<const char*>& two :
+         {std::vector<const char*>{"--can1=hub:localhost:1/can1", "--can2=hub:localhost:1/can2"},
+          {"--can1=socketcan:can0", "--can2=socketcan:can1"},
+          {"--can1=simulated", "--can2=virtual"}}) {
+        EXPECT_TRUE(parse_options(two, options, error)) << error;
+    }
+}
+
+TEST(GatewayOptions, refuses_an_option_given_twice) {
+    EXPECT_EQ(error_of({"--log", "a.log", "--log=b.log"}), "--log is given twice: a.log and b.log");
+    Options options;
+    std::string error;
+    const std::vector<const char*> flags = {"--master", "--master"};
+    EXPECT_TRUE(parse_options(flags, options, error)) << error;
+}
+
 TEST(GatewayOptions, refuses_unknown_options_and_stray_words) {
     EXPECT_EQ(error_of({"--foo"}), "unknown option '--foo', --help lists them");
     EXPECT_EQ(error_of({"--foo=1"}), "unknown option '--foo', --help lists them");
