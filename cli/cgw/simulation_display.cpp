@@ -24,7 +24,7 @@ constexpr std::string_view plain = "\x1b[0m";
 constexpr std::size_t name_width = 20;
 constexpr std::size_t value_width = 16;
 
-std::string padded(std::string text, std::size_t width, char fill = ' ') {
+std::string padded(const std::string& text, std::size_t width, char fill = ' ') {
     const std::size_t columns = base::width_of(text);
     return columns < width ? text + std::string(width - columns, fill) : text;
 }

@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "base/numbers.hpp"
 #include "cli/cgw/exit_codes.hpp"
 #include "cli/cgw/shared_options.hpp"
@@ -120,7 +122,7 @@ SimulateOptions options_of(const Arguments& arguments) {
     }
     if (arguments.given("--duration")) {
         const double seconds = positive_number(arguments, "--duration", scenario::longest_duration);
-        options.duration = std::max<Time>(1, static_cast<Time>(seconds * 1e6 + 0.5));
+        options.duration = std::max<Time>(1, static_cast<Time>(std::llround(seconds * 1e6)));
     }
     refuse_on_bus(arguments);
     options.can2 = arguments.value("--can2");

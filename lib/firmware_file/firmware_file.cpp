@@ -92,7 +92,7 @@ std::vector<Area> FirmwareFile::areas() const {
         }
         return areas;
     }
-    const Program& program = std::get<Program>(content_);
+    const auto& program = std::get<Program>(content_);
     for (const ElfSegment& segment : program.elf.segments) {
         if (segment.size != 0) {
             areas.push_back(
@@ -130,7 +130,7 @@ Outcome<Area> FirmwareFile::section(std::string_view name) const {
         return tl::unexpected(section.error());
     }
     // Another segment may claim the address; what the program sees there is then anybody's guess.
-    if (const Outcome<Area> alone = from(section->address); !alone) {
+    if (Outcome<Area> alone = from(section->address); !alone) {
         return alone;
     }
     return Area{section->address, std::span(program->bytes).subspan(section->offset, section->size)};
@@ -145,7 +145,7 @@ void FirmwareFile::put(std::uint64_t address, std::span<const std::uint8_t> byte
         records->memory.put(address, bytes);
         return;
     }
-    Program& program = std::get<Program>(content_);
+    auto& program = std::get<Program>(content_);
     const ElfSegment& segment = segment_of(program, address, bytes.size());
     std::copy(
         bytes.begin(), bytes.end(),

@@ -180,7 +180,7 @@ class Writer {
             if (address / bank != bank_) {
                 open_bank(address / bank);
             }
-            const std::size_t size = std::min<std::uint64_t>(
+            const auto size = std::min<std::uint64_t>(
                 {up_to_multiple(address, file_.style.data_bytes), rest.size(), bank - address % bank});
             record(data, static_cast<std::uint16_t>(address % bank), rest.first(size));
             rest = rest.subspan(size);
