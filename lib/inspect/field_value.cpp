@@ -105,9 +105,9 @@ std::string meaning_of(const Outline& outline, const Field& field, std::size_t e
     if (field.shown == Shown::microseconds && number != 0) {
         return base::milliseconds_text(number);
     }
-    if (const std::string name = field.shown == Shown::parameter
-                                     ? label_name(outline, static_cast<std::uint16_t>(number))
-                                     : named(field, number);
+    if (std::string name = field.shown == Shown::parameter
+                               ? label_name(outline, static_cast<std::uint16_t>(number))
+                               : named(field, number);
         !name.empty()) {
         return name;
     }
