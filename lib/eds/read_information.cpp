@@ -25,10 +25,6 @@ enum class FileKey : std::uint8_t {
     modified_by,
 };
 
-constexpr KeyRow row(std::string_view name, auto id, bool misspelt = false) {
-    return {name, static_cast<std::uint8_t>(id), misspelt};
-}
-
 constexpr std::array file_keys{
     row("FileName", FileKey::file_name),
     row("FileVersion", FileKey::file_version),

@@ -15,10 +15,6 @@ using dictionary::TypeRow;
 using dictionary::Variable;
 using object::ObjectCode;
 
-constexpr KeyRow row(std::string_view name, ObjectKey id) {
-    return {name, static_cast<std::uint8_t>(id)};
-}
-
 constexpr std::array object_keys{
     row("ParameterName", ObjectKey::name),
     row("ObjectType", ObjectKey::object_type),

@@ -26,6 +26,10 @@ struct KeyRow {
     bool misspelt = false;  // not what CiA 306 calls it, and read as if it were
 };
 
+constexpr KeyRow row(std::string_view name, auto id, bool misspelt = false) {
+    return {name, static_cast<std::uint8_t>(id), misspelt};
+}
+
 // Lines of the keys of one section, by id; 0: not there, for line 0 is never an entry of a section.
 class KeyLines {
   public:
