@@ -75,6 +75,7 @@ constexpr Family families[] = {
 
 std::string list_of(const std::vector<Candidate>& candidates) {
     std::vector<std::string> texts;
+    texts.reserve(candidates.size());
     for (const Candidate& candidate : candidates) {
         texts.push_back(candidate.name.empty() ? fmt::format("{}", candidate.number)
                                                : fmt::format("{} {}", candidate.number, candidate.name));
@@ -86,10 +87,12 @@ void bind_named(const Reader& reader, const Family& family, const image::Image& 
     const std::vector<Candidate> candidates = family.candidates(image);
     const std::string wanted = base::lowered(value.text);
     std::vector<std::string_view> names;
+    names.reserve(2 * candidates.size());
     for (const Candidate& candidate : candidates) {
         const std::string number = fmt::format("{}", candidate.number);
         const std::string name = base::lowered(candidate.name);
-        const bool called_so = wanted == name || wanted == number || wanted == number + ' ' + name ||
+        const bool called_so = wanted == name || wanted == number ||
+                               wanted == fmt::format("{} {}", number, name) ||
                                wanted == base::lowered(candidate.other_name);
         if (value.text.empty() ? candidate.number == value.integer : called_so) {
             value.integer = candidate.number;
