@@ -4,13 +4,13 @@
 
 #include <csignal>
 
+#include "base/sha256.hpp"
 #include "base/utf8.hpp"
 #include "cli/canopen-gateway/demonstration.hpp"
 #include "cli/canopen-gateway/display.hpp"
 #include "cli/canopen-gateway/options.hpp"
 #include "cli/canopen-gateway/plant_run.hpp"
 #include "media/log.hpp"
-#include "runtime/configuration_id.hpp"
 #include "runtime/run.hpp"
 #include "simulation/plant_log.hpp"
 
@@ -22,7 +22,7 @@ std::string introduction(const image::Image& image, bool simulated_can2) {
     image::Label title;
     const bool titled = image.find_label(0, title) && !title.name.empty();
     std::string text = fmt::format("canopen-gateway {}, configuration {}\n", CGW_VERSION,
-                                   runtime::configuration_id_text(image));
+                                   base::short_id(image.configuration_id()));
     if (titled) {
         text += clipped(base::printable(title.name), line_width) + "\n";
     }

@@ -39,7 +39,7 @@ void header(JsonWriter& json, const std::string& path, const image::Image& image
     json.end_object();
     integer(json, "size", static_cast<std::int64_t>(image.bytes().size()));
     integer(json, "crc", image.crc());
-    text(json, "configuration_id", short_configuration_id(image));
+    text(json, "configuration_id", base::short_id(image.configuration_id()));
     text(json, "configuration_sha256", base::to_hex(image.configuration_id()));
     text(json, "tool_version", tool_version_text(image));
     text(json, "title", title_of(image));

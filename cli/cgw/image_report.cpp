@@ -14,7 +14,6 @@ namespace cgw::cli {
 namespace {
 
 constexpr std::size_t columns = 80;
-constexpr std::size_t short_id_bytes = 8;
 using facts::object::unsigned16_dummy;
 
 // Lines of at most `columns` characters.
@@ -49,7 +48,7 @@ std::string registers(const std::array<std::uint8_t, count>& values) {
 void show_identity(Page& page, const image::Image& image) {
     const image::Identity identity = image.identity();
     page.field("title", title_of(image));
-    page.field("configuration id", short_configuration_id(image));
+    page.field("configuration id", base::short_id(image.configuration_id()));
     page.field("CRC-32", fmt::format("{:08x}", image.crc()));
     page.field("written by", "cgw " + tool_version_text(image));
     page.field("identity 1018h",
@@ -169,10 +168,6 @@ void show_labels(Page& page, const image::Image& image) {
 
 }  // namespace
 
-std::string short_configuration_id(const image::Image& image) {
-    return base::to_hex(image.configuration_id().first(short_id_bytes));
-}
-
 std::string pdo_name(const image::Pdo& pdo) {
     return base::pdo_name(!pdo.receive, pdo.number);
 }
@@ -193,7 +188,7 @@ std::string name_of(const image::Image& image, std::uint16_t number) {
 std::string image_summary(const std::string& path, const image::Image& image) {
     return fmt::format("{}: valid, format {}.{}, {} bytes, configuration id {}, CRC {:08x}", path,
                        image.format_major(), image.format_minor(), image.bytes().size(),
-                       short_configuration_id(image), image.crc());
+                       base::short_id(image.configuration_id()), image.crc());
 }
 
 std::string image_for_people(const std::string& path, const image::Image& image) {

@@ -16,8 +16,7 @@ std::string image_for_people(const std::string& path, const image::Image& image)
 // One JSON document with format_version 1; later versions only gain keys.
 std::string image_as_json(const std::string& path, const image::Image& image);
 
-// Shared by the two: first 8 bytes of the configuration id, "TPDO4", "0.1.0", and a label's name, unit or "".
-std::string short_configuration_id(const image::Image& image);
+// Shared by the two: "TPDO4", "0.1.0", and a label's name, unit or "".
 std::string pdo_name(const image::Pdo& pdo);
 std::string tool_version_text(const image::Image& image);
 std::string title_of(const image::Image& image);

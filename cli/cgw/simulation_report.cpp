@@ -11,15 +11,10 @@ namespace cgw::cli {
 namespace {
 
 constexpr int format_version = 1;
-constexpr std::size_t shown_id_bytes = 8;
 
 std::string title_of(const image::Image& image) {
     image::Label title;
     return image.find_label(0, title) ? std::string(title.name) : "";
-}
-
-std::string id_of(const image::Image& image) {
-    return base::to_hex(image.configuration_id().first(shown_id_bytes));
 }
 
 std::string rate_of(const image::Bus& bus) {
@@ -49,8 +44,8 @@ std::string verdict(const scenario::Run& run) {
 
 std::string introduction(const image::Image& image, const scenario::Scenario* scenario) {
     const std::string title = title_of(image);
-    std::string text =
-        clipped_line(fmt::format("{}{}configuration {}", title, title.empty() ? "" : ", ", id_of(image)));
+    std::string text = clipped_line(fmt::format("{}{}configuration {}", title, title.empty() ? "" : ", ",
+                                                base::short_id(image.configuration_id())));
     text += clipped_line(fmt::format("node {}, CAN1 {}, CAN2 {}, main cycle {:.3f} ms", image.can2().own_node,
                                      rate_of(image.can1()), rate_of(image.can2()),
                                      static_cast<double>(image.governor().main_cycle_us) / 1000));
@@ -67,7 +62,7 @@ std::string introduction_json(const image::Image& image, const scenario::Scenari
     json.key("format_version").integer(format_version);
     json.key("event").string("begin");
     json.key("title").string(title_of(image));
-    json.key("configuration_id").string(id_of(image));
+    json.key("configuration_id").string(base::short_id(image.configuration_id()));
     json.key("node_id").integer(image.can2().own_node);
     if (scenario != nullptr) {
         json.key("scenario").string(scenario->title);

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "authoring/from_image.hpp"
+#include "base/sha256.hpp"
 #include "cli/cgw/comparison_format.hpp"
 #include "cli/cgw/image_file.hpp"
 #include "cli/cgw/image_report.hpp"
@@ -95,8 +96,8 @@ int image_diff(const Arguments& arguments) {
     if (a.exit_code != exit_fine || b.exit_code != exit_fine) {
         return std::max(a.exit_code, b.exit_code);
     }
-    const compare::SideName name_a{{path_a}, short_configuration_id(a.image)};
-    const compare::SideName name_b{{path_b}, short_configuration_id(b.image)};
+    const compare::SideName name_a{{path_a}, base::short_id(a.image.configuration_id())};
+    const compare::SideName name_b{{path_b}, base::short_id(b.image.configuration_id())};
     compare::Comparison comparison;
     if (!same_bytes(a.bytes, b.bytes)) {
         const bool models = has_model(a.image) && has_model(b.image);

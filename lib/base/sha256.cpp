@@ -90,4 +90,9 @@ std::string to_hex(std::span<const std::uint8_t> bytes) {
     return text;
 }
 
+std::string short_id(std::span<const std::uint8_t> id) {
+    constexpr std::size_t shown_bytes = 8;
+    return to_hex(id.first(shown_bytes));
+}
+
 }  // namespace cgw::base

@@ -15,4 +15,8 @@ Sha256 sha256(std::span<const std::uint8_t> bytes);
 // Lower-case hexadecimal, two digits a byte.
 std::string to_hex(std::span<const std::uint8_t> bytes);
 
+// What is shown of a configuration id wherever one is shown: its first 8 bytes, 16 hexadecimal digits. `id`
+// has 8 bytes at least.
+std::string short_id(std::span<const std::uint8_t> id);
+
 }  // namespace cgw::base

@@ -16,7 +16,6 @@ namespace {
 
 constexpr std::size_t comment_width = 90;
 constexpr std::string_view id_part = "configuration id";
-constexpr std::size_t shown_id_bytes = 8;
 
 bool same_bytes(std::span<const std::uint8_t> a, std::span<const std::uint8_t> b) {
     return std::equal(a.begin(), a.end(), b.begin(), b.end());
@@ -74,7 +73,7 @@ void add_remark(std::vector<std::string>& remarks, std::string_view text) {
 
 std::vector<std::string> remarks_of(const image::Image& image, const DecompiledImage& decompiled) {
     std::vector<std::string> remarks;
-    const std::string id = base::to_hex(image.configuration_id().first(shown_id_bytes));
+    const std::string id = base::short_id(image.configuration_id());
     add_remark(remarks, fmt::format("From the image of configuration {}, by cgw image decompile.", id));
     if (decompiled.identical()) {
         add_remark(remarks, decompiled.other_version

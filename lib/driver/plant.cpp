@@ -13,12 +13,6 @@ namespace {
 
 constexpr std::array<std::uint16_t, 3> version_numbers = {CGW_VERSION_MAJOR, CGW_VERSION_MINOR,
                                                           CGW_VERSION_PATCH};
-constexpr std::size_t shown_id_bytes = 8;  // of the 32; INTERFACE: "first 8 bytes shown"
-
-std::string short_id(const std::array<std::uint8_t, 32>& id) {
-    return base::to_hex(std::span(id).first(shown_id_bytes));
-}
-
 }  // namespace
 
 std::string tool_version() {
@@ -34,7 +28,7 @@ base::Result<emit::Origin> origin() {
 }
 
 std::string short_configuration_id(const parameter::Settings& settings) {
-    return short_id(parameter::configuration_id(settings));
+    return base::short_id(parameter::configuration_id(settings));
 }
 
 base::Result<Plant> Plant::make(const CheckedFile& file) {
@@ -51,15 +45,16 @@ base::Result<Plant> Plant::make(const CheckedFile& file) {
     document.created = *date;
     document.author = settings.document.author;
     document.revision = settings.document.revision;
-    document.configuration_id = short_id(plant.configuration_id_);
+    document.configuration_id = base::short_id(plant.configuration_id_);
     document.tool_version = tool_version();
     plant.dictionary_ = profile::gateway_dictionary(file.configuration, document);
     return plant;
 }
 
 emit::Plant Plant::view() const {
-    return {file_->settings,   *file_->catalogue,           file_->configuration, dictionary_,
-            configuration_id_, short_id(configuration_id_), version_numbers,      tool_version()};
+    return {file_->settings, *file_->catalogue, file_->configuration,
+            dictionary_,     configuration_id_, base::short_id(configuration_id_),
+            version_numbers, tool_version()};
 }
 
 }  // namespace cgw::driver

@@ -16,7 +16,7 @@ std::string tool_version();
 // For artefacts that need no parameter file. Fails on a malformed SOURCE_DATE_EPOCH.
 base::Result<emit::Origin> origin();
 
-// The first 8 bytes of the configuration id, 16 hexadecimal digits.
+// As base::short_id() shows it.
 std::string short_configuration_id(const parameter::Settings& settings);
 
 // Refers to the checked file, which must outlive it and be valid().

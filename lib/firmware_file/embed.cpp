@@ -13,8 +13,6 @@ namespace {
 
 namespace rules = diagnostic::rules;
 
-constexpr std::size_t shown_id_bytes = 8;
-
 // What the image will cover, and what is there now.
 struct Room {
     Area present;  // from the beginning to the end of section or segment; of records, what stands there
@@ -168,8 +166,7 @@ Outcome<Embedded> embed(std::span<const std::uint8_t> firmware, const image::Ima
     }
     Embedded embedded{{}, address, room->size, *replaced, {}};
     if (room->earlier != 0) {
-        embedded.replaced_id =
-            base::to_hex(room->present.bytes.subspan(image::header::configuration_id, shown_id_bytes));
+        embedded.replaced_id = base::short_id(room->present.bytes.subspan(image::header::configuration_id));
     }
     base::Bytes bytes(room->size, options.fill);
     std::copy(image.bytes().begin(), image.bytes().end(), bytes.begin());

@@ -6,11 +6,11 @@
 #include <csignal>
 #include <ctime>
 
+#include "base/sha256.hpp"
 #include "base/utf8.hpp"
 #include "base/wrap.hpp"
 #include "media/log.hpp"
 #include "media/open_channel.hpp"
-#include "runtime/configuration_id.hpp"
 #include "runtime/empty_bus.hpp"
 #include "runtime/event_lines.hpp"
 #include "runtime/gateway_node.hpp"
@@ -92,7 +92,7 @@ bool Run::open_files() {
     std::optional<media::LogStream> log;
     std::optional<ErrorMemory> memory;
     if (!settings_.state.empty()) {
-        auto opened = ErrorMemory::open(settings_.state, configuration_id_text(image_));
+        auto opened = ErrorMemory::open(settings_.state, base::short_id(image_.configuration_id()));
         if (!opened) {
             output_.complain(opened.error().message);
             return false;

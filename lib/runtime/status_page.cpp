@@ -4,9 +4,9 @@
 
 #include <algorithm>
 
+#include "base/sha256.hpp"
 #include "base/utf8.hpp"
 #include "base/wrap.hpp"
-#include "runtime/configuration_id.hpp"
 #include "runtime/measurements.hpp"
 #include "simulation/text.hpp"
 
@@ -52,7 +52,7 @@ std::string status_page(const Diagnosis& diagnosis) {
     std::string text =
         fmt::format("state {}, {:.1f} s after the start\n", simulation::to_text(diagnosis.gateway->state()),
                     static_cast<double>(diagnosis.now) / 1e6);
-    text += fmt::format("configuration {}, node {}\n", configuration_id_text(*diagnosis.image),
+    text += fmt::format("configuration {}, node {}\n", base::short_id(diagnosis.image->configuration_id()),
                         diagnosis.image->can2().own_node);
     text += bus_lines("CAN1", diagnosis.can1);
     text += bus_lines("CAN2", diagnosis.can2);

@@ -36,6 +36,11 @@ TEST(Sha256, matches_the_published_vectors) {
               "cdc76e5c9914fb9281a1c7e284d73e67f1809a48a497200e046d39ccc7112cd0");
 }
 
+TEST(Sha256, is_shown_by_its_first_eight_bytes) {
+    const base::Sha256 id = base::sha256(std::vector<std::uint8_t>{'a', 'b', 'c'});
+    EXPECT_EQ(base::short_id(id), "ba7816bf8f01cfea");
+}
+
 TEST(Utf8, accepts_exactly_the_well_formed_sequences) {
     EXPECT_EQ(base::utf8_sequence_length("a"), 1U);
     EXPECT_EQ(base::utf8_sequence_length("\xC3\xA4"), 2U);

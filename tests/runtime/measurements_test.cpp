@@ -177,7 +177,7 @@ TEST_F(GatewayMeasurements, stand_on_a_page_of_eighty_columns_by_number_and_name
     diagnosis_.can2.name = "hub:" + std::string(100, 'x') + "/can0";
     diagnosis_.governors_heard = 1U << 3;
     const std::string page = status_page(diagnosis_);
-    const std::string id = base::to_hex(diagnosis_.image->configuration_id().first(8));
+    const std::string id = base::short_id(diagnosis_.image->configuration_id());
     EXPECT_NE(page.find(fmt::format("\nconfiguration {}, node 5\n", id)), std::string::npos) << page;
     for (const char* part :
          {"state Pre-Operational",
