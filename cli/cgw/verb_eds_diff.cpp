@@ -34,12 +34,12 @@ constexpr Option eds_diff_options[] = {
 
 constexpr std::string_view eds_diff_details =
     "Compares what the files say of the device: who it is, its objects, their types,\n"
-    "access, mapping and values. The order of lines, how numbers are written, comments,\n"
-    "dates and versions of the files do not count. What kind a file is, is told from\n"
-    "its content. $NODEID is resolved with --node-id, else with the node number that one\n"
-    "of the files states (DCF, parameter file, image), else formulas are compared.\n"
-    "Exit code 0 when nothing differs, 1 when something does or a file has errors, 3\n"
-    "when one cannot be read.\n";
+    "access, mapping and values. The order of lines, how numbers are written,\n"
+    "comments, dates and versions of the files do not count. What kind a file is, is\n"
+    "told from its content. $NODEID is resolved with --node-id, else with the node\n"
+    "number that one of the files states (DCF, parameter file, image); without any,\n"
+    "formulas are compared as they stand. Exit code 0 when nothing differs, 1 when\n"
+    "something does or a file has errors, 3 when one cannot be read.\n";
 
 dictionary::Side side_of(const driver::DeviceDescription& description) {
     return {.dictionary = description.dictionary,
