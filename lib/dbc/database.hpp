@@ -21,11 +21,12 @@ struct NamedValue {
     std::string text;
 };
 
-// Little-endian, as everything in CANopen.
 struct Signal {
-    std::string name;        // unique in its message
-    unsigned start_bit = 0;  // of the least significant bit; bit 0 is the lowest of the first byte
-    unsigned length = 16;    // bits
+    std::string name;          // unique in its message
+    std::string multiplexing;  // "M", "m0", …; "" for a signal that is in every frame
+    unsigned start_bit = 0;    // of the least significant bit; bit 0 is the lowest of the first byte
+    bool big_endian = false;   // then of the most significant one; nothing in CANopen is
+    unsigned length = 16;      // bits
     bool is_signed = false;
     double factor = 1;  // physical value = raw value * factor + offset
     double offset = 0;

@@ -73,10 +73,11 @@ class Printer {
             line("BO_ {} {}: {} {}", message.identifier, message.name, message.length,
                  message.sender.empty() ? nobody : message.sender);
             for (const Signal& signal : message.signals) {
-                line(" SG_ {} : {}|{}@1{} ({},{}) [{}|{}] {} {}", signal.name, signal.start_bit,
-                     signal.length, signal.is_signed ? '-' : '+', base::to_text(signal.factor),
-                     base::to_text(signal.offset), base::to_text(signal.minimum),
-                     base::to_text(signal.maximum), quoted(signal.unit),
+                line(" SG_ {}{}{} : {}|{}@{}{} ({},{}) [{}|{}] {} {}", signal.name,
+                     signal.multiplexing.empty() ? "" : " ", signal.multiplexing, signal.start_bit,
+                     signal.length, signal.big_endian ? 0 : 1, signal.is_signed ? '-' : '+',
+                     base::to_text(signal.factor), base::to_text(signal.offset),
+                     base::to_text(signal.minimum), base::to_text(signal.maximum), quoted(signal.unit),
                      message.receiver.empty() ? nobody : message.receiver);
             }
             blank();

@@ -25,6 +25,7 @@ std::string_view language_of(Example example) {
         case Example::table:
         case Example::table_rows:
         case Example::firmware:
+        case Example::database:
             return "text";
         case Example::data_sheet:
             return "ini";
@@ -140,6 +141,9 @@ const Rule* const table[] = {
     &eds_entry_alone,
     &eds_spelling,
     &eds_too_much,
+    &dbc_text,
+    &dbc_statement,
+    &dbc_twice,
 };
 
 }  // namespace

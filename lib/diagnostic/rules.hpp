@@ -1,6 +1,7 @@
 // Every finding cgw can make, one row each. A code is never reused; a name never changes.
 // E00 file and TOML · E01 keys, parameters, values · E02 what makes the plant fail · E03 warnings · E04
-// notes · E05 tables read in and files copied · E06 scenario files · E07 firmware files · E08 EDS and DCF.
+// notes · E05 tables read in and files copied · E06 scenario files · E07 firmware files · E08 EDS and DCF
+// · E09 XDD and XDC · E10 CAN databases (DBC).
 // The rows stand in one source file per group; what explains, lists or documents findings reads them.
 #pragma once
 
@@ -23,6 +24,7 @@ enum class Example {
     scenario,        // steps of a scenario of samples/genset.toml that lasts 10 s
     firmware,        // an Intel HEX file into which an image is put at 0x08010000
     data_sheet,      // sections of an EDS or DCF
+    database,        // a CAN database
 };
 
 // The language of such an example, as Markdown names it behind a fence: "toml", "text".
@@ -168,6 +170,11 @@ CGW_RULE(eds_section_alone);
 CGW_RULE(eds_entry_alone);
 CGW_RULE(eds_spelling);
 CGW_RULE(eds_too_much);
+
+// E10: CAN databases (DBC)
+CGW_RULE(dbc_text);
+CGW_RULE(dbc_statement);
+CGW_RULE(dbc_twice);
 
 #undef CGW_RULE
 

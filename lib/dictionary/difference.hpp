@@ -38,6 +38,9 @@ struct Difference {
     std::string b{};
 };
 
+// "2003h:1 Switch Functions"; of the device nothing.
+std::string subject_text(const Difference& difference);
+
 struct Differences {
     std::vector<Difference> all;                 // device, objects by index and sub-index, modules
     std::vector<std::string_view> not_compared;  // texts of the aspects that one side does not state

@@ -15,16 +15,6 @@ constexpr int format_version = 1;
 constexpr std::size_t line_width = 80;
 constexpr std::size_t aspect_width = 28;
 
-std::string subject_of(const Difference& difference) {
-    if (!difference.index) {
-        return difference.name;
-    }
-    const std::string object = difference.sub_index
-                                   ? base::object_text(*difference.index, *difference.sub_index)
-                                   : base::object_text(*difference.index);
-    return difference.name.empty() ? object : fmt::format("{} {}", object, difference.name);
-}
-
 // A text that says nothing is shown as such.
 std::string shown(std::string_view text) {
     return text.empty() ? "nothing" : base::printable(text);
@@ -50,7 +40,7 @@ std::string render_text(const Differences& differences, const SideName& a, const
     std::string subject_before;
     bool device = false;
     for (const Difference& difference : differences.all) {
-        const std::string subject = base::printable(subject_of(difference));
+        const std::string subject = base::printable(subject_text(difference));
         if (subject.empty() && !device) {
             text += "\nDevice\n";
             device = true;
@@ -80,7 +70,7 @@ std::string render_markdown(const Differences& differences, const SideName& a, c
         text += "\n| Object | What | A | B |\n|---|---|---|---|\n";
     }
     for (const Difference& difference : differences.all) {
-        const std::string subject = subject_of(difference);
+        const std::string subject = subject_text(difference);
         text +=
             fmt::format("| {} | {} | {} | {} |\n", base::markdown_cell(subject.empty() ? "device" : subject),
                         difference.aspect_text, base::markdown_cell(shown(difference.a)),
@@ -138,6 +128,16 @@ constexpr std::array formats{
 };
 
 }  // namespace
+
+std::string subject_text(const Difference& difference) {
+    if (!difference.index) {
+        return difference.name;
+    }
+    const std::string object = difference.sub_index
+                                   ? base::object_text(*difference.index, *difference.sub_index)
+                                   : base::object_text(*difference.index);
+    return difference.name.empty() ? object : fmt::format("{} {}", object, difference.name);
+}
 
 std::span<const DifferenceFormat> difference_formats() {
     return formats;

@@ -39,10 +39,7 @@ void take_image(DeviceDescription& description, const std::string& text) {
     image::Image image;
     const image::Status status = image::Image::open(bytes, image);
     if (status != image::Status::ok) {
-        description.findings.report({&diagnostic::rules::image_refused,
-                                     fmt::format("the image is refused: {} (status {})",
-                                                 image::to_text(status), static_cast<unsigned>(status)),
-                                     {description.path, {}}});
+        report_refused(description.path, status, description.findings);
         return;
     }
     description.dictionary = image_writer::dictionary_of(image);

@@ -17,6 +17,9 @@ namespace cgw::driver {
 enum class DescriptionKind : std::uint8_t { data_sheet, configuration_file, parameter_file, image };
 
 std::string_view to_text(DescriptionKind kind);  // "EDS", "parameter file"
+constexpr bool is_data_sheet(DescriptionKind kind) {
+    return kind == DescriptionKind::data_sheet || kind == DescriptionKind::configuration_file;
+}
 
 struct DeviceDescription {
     std::string path;

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include "emit/artefacts.hpp"
+#include "emit/database.hpp"
 #include "emit/dbc_parts.hpp"
 
 namespace cgw::emit {
@@ -24,7 +25,7 @@ std::string partner_text(const config::Configuration& configuration) {
 
 }  // namespace
 
-base::Bytes emit_dbc(const Plant& plant, const Options& /*options*/) {
+dbc::Database database_of(const Plant& plant) {
     const DbcNodes nodes = dbc_nodes(plant.configuration);
     dbc::Database database;
     database.version =
@@ -37,7 +38,11 @@ base::Bytes emit_dbc(const Plant& plant, const Options& /*options*/) {
     for (dbc::Message& message : dbc_service_messages(plant, nodes)) {
         database.messages.push_back(std::move(message));
     }
-    return base::to_bytes(dbc::print(database));
+    return database;
+}
+
+base::Bytes emit_dbc(const Plant& plant, const Options& /*options*/) {
+    return base::to_bytes(dbc::print(database_of(plant)));
 }
 
 }  // namespace cgw::emit

@@ -20,6 +20,10 @@ inline constexpr std::uint16_t sensors = 0x2004;  // sub-index = channel (D26)
 inline constexpr std::uint16_t canopen_errors = 0x2005;
 }  // namespace object
 
+// 1018h:1 and :2 (GWM 10).
+inline constexpr std::uint32_t vendor_number = 0x161;
+inline constexpr std::uint32_t product_number = 0x1B59;
+
 inline constexpr std::uint8_t tpdo_count = 16;
 inline constexpr std::uint8_t rpdo_count = 4;
 inline constexpr std::uint8_t pdo_count = tpdo_count + rpdo_count;

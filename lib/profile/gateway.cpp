@@ -20,8 +20,6 @@ using object::ObjectCode;
 
 constexpr std::string_view vendor_name = "Heinzmann GmbH & Co. KG";
 constexpr std::string_view product_name = "CANopen Gateway";
-constexpr std::uint32_t vendor_number = 0x161;
-constexpr std::uint32_t product_number = 0x1B59;
 constexpr std::size_t description_length = 243;  // CiA 306, [FileInfo]
 constexpr std::string_view creation_time = "12:00AM";
 
@@ -38,8 +36,8 @@ constexpr std::array consumer_heartbeat_entries{
 constexpr std::array producer_heartbeat_time{VariableRow{0, "Producer Heartbeat Time", DataType::unsigned16}};
 constexpr std::array identity_entries{
     VariableRow{0, "Number of entries", DataType::unsigned8, 4},
-    VariableRow{1, "Vendor ID", DataType::unsigned32, vendor_number},
-    VariableRow{2, "Product Code", DataType::unsigned32, product_number},
+    VariableRow{1, "Vendor ID", DataType::unsigned32, facts::vendor_number},
+    VariableRow{2, "Product Code", DataType::unsigned32, facts::product_number},
     VariableRow{3, "Revision Number", DataType::unsigned32},
     VariableRow{4, "Serial Number", DataType::unsigned32},
 };
@@ -110,8 +108,8 @@ std::vector<Object> all_objects(const config::Configuration& configuration) {
 std::string description_of(const GatewayDocument& document) {
     const std::string id =
         document.configuration_id.empty() ? "" : fmt::format(", configuration {}", document.configuration_id);
-    const std::string title = document.title.empty() ? fmt::format("EDS for Heinzmann {}", product_name)
-                                                     : dictionary::to_ascii(document.title);
+    const std::string title =
+        document.title.empty() ? untitled_description() : dictionary::to_ascii(document.title);
     return dictionary::shortened(title, description_length - id.size()) + id;
 }
 
@@ -134,9 +132,9 @@ dictionary::FileInformation file_information(const GatewayDocument& document) {
 dictionary::DeviceInformation device_information(const config::Configuration& configuration) {
     dictionary::DeviceInformation device;
     device.vendor_name = vendor_name;
-    device.vendor_number = vendor_number;
+    device.vendor_number = facts::vendor_number;
     device.product_name = product_name;
-    device.product_number = product_number;
+    device.product_number = facts::product_number;
     device.revision_number = configuration.identity.software_version;
     device.order_code = product_name;
     device.bit_rates_kbit.assign(facts::bit_rates_kbit.begin(), facts::bit_rates_kbit.end());
@@ -172,6 +170,10 @@ Variable entry_count(std::string_view name, std::size_t count, Limits limits) {
     variable.low_limit = dictionary::Value{limits.low, false};
     variable.high_limit = dictionary::Value{limits.high, false};
     return variable;
+}
+
+std::string untitled_description() {
+    return fmt::format("EDS for Heinzmann {}", product_name);
 }
 
 Dictionary gateway_dictionary(const config::Configuration& configuration, const GatewayDocument& document) {

@@ -20,6 +20,10 @@ struct GatewayDocument {
     std::string tool_version;      // "0.1.0"
 };
 
+// What the description says where the plant has no title, without the configuration id.
+std::string untitled_description();
+
+// `configuration` comes from config::resolve().
 dictionary::Dictionary gateway_dictionary(const config::Configuration& configuration,
                                           const GatewayDocument& document);
 

@@ -121,5 +121,82 @@ class Diff(Case):
         self.assertEqual(result.returncode, 3)
 
 
+class Import(Case):
+    def test_a_data_sheet_becomes_a_parameter_file_that_says_what_is_missing(self):
+        out = self.dir / "plant.toml"
+        result = cgw("import", "eds", self.dcf, "-o", out)
+        self.assertEqual((result.returncode, result.stdout), (1, b""), result.stderr)
+        self.assertIn(b"does not say: nodes and bit rate of CAN1", result.stderr)
+        self.assertIn(b"E0109", result.stderr)
+        text = out.read_text()
+        self.assertIn("# - nodes and bit rate of CAN1", text)
+        self.assertIn('"427 CanOpenMyNodeID" = 12', text)
+
+    def test_with_what_was_missing_added_the_file_is_valid(self):
+        minimal = self.plants / "minimal" / "CANopenGateway.dcf"
+        out = self.dir / "plant.toml"
+        self.assertEqual(cgw("import", "eds", minimal, "-o", out).returncode, 1)
+        text = out.read_text()
+        text = text.replace("[governor.parameters]", "[governor.parameters]\n401 = 1\n403 = 1\n416 = 250", 1)
+        text = text.replace("[gateway.parameters]", "[gateway.parameters]\n401 = 1\n402 = 1\n416 = 250", 1)
+        out.write_text(text)
+        self.assertEqual(cgw("check", out).returncode, 0, cgw("check", out).stdout)
+        self.assertEqual(cgw("eds", "diff", out, minimal).returncode, 0)
+
+    def test_refuses_other_devices_and_existing_files(self):
+        other = self.changed(b"DefaultValue=0x00001B59", b"DefaultValue=0x00001B5A")
+        result = cgw("import", "eds", other)
+        self.assertEqual((result.returncode, result.stdout), (1, b""))
+        self.assertIn(b"not the EDS or DCF of a CANopen Gateway", result.stderr)
+        self.assertEqual(cgw("import", "eds", GENSET).returncode, 1)
+        out = self.dir / "there.toml"
+        out.write_text("precious")
+        self.assertEqual(cgw("import", "eds", self.dcf, "-o", out).returncode, 2)
+        self.assertEqual(out.read_text(), "precious")
+        self.assertEqual(cgw("import", "eds", self.dir / "none.eds").returncode, 3)
+
+
+class Verify(Case):
+    def test_the_artefacts_of_a_plant_are_proved(self):
+        dbc = self.plants / "genset" / "CANopenGateway.dbc"
+        arguments = ["verify", GENSET, "--eds", self.eds, "--eds", self.dcf, "--image", self.image, "--dbc", dbc]
+        result = cgw(*arguments)
+        self.assertEqual((result.returncode, result.stderr), (0, b""), result.stdout)
+        self.assertEqual(result.stdout.count(b": the same; "), 4)
+        self.assertLessEqual(max(len(line) for line in result.stdout.decode().splitlines()
+                                 if str(self.plants) not in line), 80)
+        document = json.loads(cgw(*arguments, "--format", "json").stdout)
+        jsonschema.validate(document, json.loads((SCHEMAS / "proof-report.schema.json").read_text()))
+        self.assertEqual([a["kind"] for a in document["artefacts"]], ["EDS", "DCF", "image", "DBC"])
+
+    def test_one_changed_artefact_is_told(self):
+        changed = self.changed(b"VendorNumber=0x00000161", b"VendorNumber=0x00000162")
+        result = cgw("verify", GENSET, "--eds", changed, "--image", self.image)
+        self.assertEqual((result.returncode, result.stderr), (1, b""))
+        self.assertIn(b"vendor number: 0x162, not 0x161", result.stdout)
+        document = json.loads(cgw("verify", GENSET, "--eds", changed, "--format", "json").stdout)
+        jsonschema.validate(document, json.loads((SCHEMAS / "proof-report.schema.json").read_text()))
+        self.assertFalse(document["same"])
+        self.assertEqual(document["artefacts"][0]["differences"][0]["aspect"], "vendor-number")
+
+    def test_what_cannot_be_read_or_is_refused(self):
+        cut = self.dir / "cut.bin"
+        cut.write_bytes(self.image.read_bytes()[:-1])
+        result = cgw("verify", GENSET, "--image", cut, "--eds", self.eds)
+        self.assertEqual(result.returncode, 1)
+        self.assertIn(b"E0712", result.stderr)
+        self.assertIn(b"status 6", result.stderr)
+        self.assertIn(b"the same", result.stdout)
+        self.assertEqual(cgw("verify", GENSET, "--dbc", self.dir / "none.dbc").returncode, 3)
+        wrong = cgw("verify", SAMPLES / "bad" / "crossed-node-numbers.toml", "--eds", self.eds)
+        self.assertEqual((wrong.returncode, wrong.stdout), (1, b""))
+
+    def test_wrong_usage(self):
+        for arguments in ((), ("--eds", self.eds, "--live", "hub:127.0.0.1:1"), ("--eds", self.eds, "--read-only"),
+                          ("--eds", "-", "--dbc", "-")):
+            result = cgw("verify", GENSET, *arguments)
+            self.assertEqual((result.returncode, result.stdout), (2, b""), arguments)
+
+
 if __name__ == "__main__":
     unittest.main()

@@ -7,6 +7,7 @@
 #include "authoring/clone.hpp"
 #include "check/findings_text.hpp"
 #include "check/overlay.hpp"
+#include "dbc/read.hpp"
 #include "driver/check_file.hpp"
 #include "driver/scenario_file.hpp"
 #include "driver/tables.hpp"
@@ -111,6 +112,13 @@ diagnostic::Findings findings_in_data_sheet(const std::string& text) {
     return findings;
 }
 
+// What reading this CAN database finds.
+diagnostic::Findings findings_in_database(std::string_view text) {
+    diagnostic::Findings findings;
+    dbc::read(text, "example.dbc", findings);
+    return findings;
+}
+
 diagnostic::Findings findings_of(Example kind, std::string_view example) {
     switch (kind) {
         case Example::none:
@@ -129,6 +137,8 @@ diagnostic::Findings findings_of(Example kind, std::string_view example) {
             return findings_in_firmware(std::string(example));
         case Example::data_sheet:
             return findings_in_data_sheet(std::string(example));
+        case Example::database:
+            return findings_in_database(example);
     }
     return {};
 }

@@ -1,0 +1,111 @@
+#include "driver/prove.hpp"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "base/files.hpp"
+#include "dbc/read.hpp"
+#include "driver/data_sheet.hpp"
+#include "driver/report_unreadable.hpp"
+
+namespace cgw::driver {
+namespace {
+
+class Prover {
+  public:
+    explicit Prover(const emit::Plant& plant) : plant_(plant) {}
+
+    Proofs run(const Artefacts& artefacts) {
+        for (const std::string& path : artefacts.descriptions) {
+            prove_description(path);
+        }
+        for (const std::string& path : artefacts.images) {
+            prove_image(path);
+        }
+        for (const std::string& path : artefacts.databases) {
+            prove_database(path);
+        }
+        return std::move(proofs_);
+    }
+
+  private:
+    // False when the file's errors leave nothing to compare.
+    bool usable(const std::string& path, diagnostic::Findings findings) {
+        findings.sort();
+        const bool errors = findings.has_errors();
+        proofs_.has_errors = proofs_.has_errors || errors;
+        if (!findings.all().empty()) {
+            proofs_.reports.push_back({path, findings.all()});
+        }
+        return !errors;
+    }
+
+    void add(const std::string& path, std::string_view kind, proof::Proof proof) {
+        proof.path = path;
+        proof.kind = kind;
+        proofs_.all.push_back(std::move(proof));
+    }
+
+    void prove_description(const std::string& path) {
+        DataSheet file = read_data_sheet(path);
+        proofs_.unreadable = proofs_.unreadable || file.unreadable;
+        proofs_.sources.merge(file.sources);
+        if (usable(path, std::move(file.findings))) {
+            const auto& node = file.sheet->commissioning;
+            add(path, node ? "DCF" : "EDS",
+                proof::prove_description(plant_, {file.sheet->dictionary, node ? &*node : nullptr}));
+        }
+    }
+
+    std::optional<std::string> read(const std::string& path, std::size_t limit) {
+        base::Result<std::string> text = base::read_file(path, limit);
+        if (text) {
+            return std::move(*text);
+        }
+        diagnostic::Findings findings;
+        proofs_.unreadable = report_unreadable(path, text.error(), findings) || proofs_.unreadable;
+        usable(path, std::move(findings));
+        return std::nullopt;
+    }
+
+    void prove_image(const std::string& path) {
+        const std::optional<std::string> text = read(path, image::maximum_size + 1);
+        if (!text) {
+            return;
+        }
+        const base::Bytes bytes = base::to_bytes(*text);
+        image::Image image;
+        diagnostic::Findings findings;
+        if (const image::Status status = image::Image::open(bytes, image); status != image::Status::ok) {
+            report_refused(path, status, findings);
+        }
+        if (usable(path, std::move(findings))) {
+            add(path, "image", proof::prove_image(plant_, image));
+        }
+    }
+
+    void prove_database(const std::string& path) {
+        std::optional<std::string> text = read(path, dbc::largest_text);
+        if (!text) {
+            return;
+        }
+        diagnostic::Findings findings;
+        const dbc::Database database = dbc::read(*text, path, findings);
+        proofs_.sources[path] = std::move(*text);
+        if (usable(path, std::move(findings))) {
+            add(path, "DBC", proof::prove_database(plant_, database));
+        }
+    }
+
+    const emit::Plant& plant_;
+    Proofs proofs_;
+};
+
+}  // namespace
+
+Proofs prove(const emit::Plant& plant, const Artefacts& artefacts) {
+    return Prover(plant).run(artefacts);
+}
+
+}  // namespace cgw::driver
