@@ -11,9 +11,11 @@
 #include "driver/scenario_file.hpp"
 #include "driver/tables.hpp"
 #include "eds/reader.hpp"
+#include "eds_check/checks.hpp"
 #include "emit/concerned.hpp"
 #include "firmware_file/embed.hpp"
 #include "support/scratch_directory.hpp"
+#include "support/valid_data_sheet.hpp"
 
 namespace cgw::driver {
 namespace {
@@ -111,6 +113,16 @@ diagnostic::Findings findings_in_data_sheet(const std::string& text) {
     return findings;
 }
 
+// The same of a whole EDS, with what the checks find.
+diagnostic::Findings findings_in_checked_sheet(const std::string& text) {
+    diagnostic::Findings findings;
+    const std::string path = "example.eds";
+    const eds::Document document(text);
+    const eds::Sheet sheet = eds::read(document, path, findings);
+    eds_check::check(document, sheet, path, {.file_name = path}, findings);
+    return findings;
+}
+
 diagnostic::Findings findings_of(Example kind, std::string_view example) {
     switch (kind) {
         case Example::none:
@@ -129,6 +141,8 @@ diagnostic::Findings findings_of(Example kind, std::string_view example) {
             return findings_in_firmware(std::string(example));
         case Example::data_sheet:
             return findings_in_data_sheet(std::string(example));
+        case Example::data_sheet_lines:
+            return findings_in_checked_sheet(test::data_sheet_with(example));
     }
     return {};
 }
@@ -165,6 +179,10 @@ TEST(RuleExampleTables, have_no_findings_themselves) {
     EXPECT_EQ(test::findings_text(findings_in_table(complete_table(Device::governor), true)), "");
 }
 
+TEST(RuleExampleDataSheet, has_no_findings_itself) {
+    EXPECT_EQ(test::findings_text(findings_in_checked_sheet(std::string(test::valid_data_sheet))), "");
+}
+
 TEST(RuleExampleKinds, without_examples_are_the_rules_that_nothing_printed_can_break) {
     std::string names;
     for (const Rule* rule : diagnostic::all_rules()) {
@@ -172,7 +190,7 @@ TEST(RuleExampleKinds, without_examples_are_the_rules_that_nothing_printed_can_b
     }
     EXPECT_EQ(names,
               "file-unreadable file-too-large file-not-utf8 elf-structure firmware-section firmware-address "
-              "image-alignment image-room eds-text eds-too-much ");
+              "image-alignment image-room eds-text eds-too-much eds-byte-order-mark eds-line-ends ");
 }
 
 }  // namespace
