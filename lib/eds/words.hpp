@@ -2,14 +2,12 @@
 #pragma once
 
 #include <array>
-#include <string_view>
 
-#include "object/vocabulary.hpp"
+#include "dictionary/words.hpp"
 
 namespace cgw::eds {
 
-// Spelling of object::Access, in the order of its values.
-inline constexpr std::array<std::string_view, 6> access_types{"ro", "wo", "rw", "rwr", "rww", "const"};
+using dictionary::access_types;
 
 // Keys of [DeviceInfo] that files of this and other makers have for others (D41).
 struct MisspeltKey {

@@ -188,9 +188,10 @@ TEST(RuleExampleKinds, without_examples_are_the_rules_that_nothing_printed_can_b
     for (const Rule* rule : diagnostic::all_rules()) {
         names += rule->example == Example::none ? fmt::format("{} ", rule->name) : "";
     }
-    EXPECT_EQ(names,
-              "file-unreadable file-too-large file-not-utf8 elf-structure firmware-section firmware-address "
-              "image-alignment image-room eds-text eds-too-much eds-byte-order-mark eds-line-ends ");
+    EXPECT_EQ(
+        names,
+        "file-unreadable file-too-large file-not-utf8 elf-structure firmware-section firmware-address "
+        "image-alignment image-room image-refused eds-text eds-too-much eds-byte-order-mark eds-line-ends ");
 }
 
 }  // namespace
