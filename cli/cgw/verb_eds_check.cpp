@@ -2,7 +2,6 @@
 
 #include <utility>
 
-#include "base/utf8.hpp"
 #include "cli/cgw/check_report.hpp"
 #include "cli/cgw/description_input.hpp"
 #include "cli/cgw/shared_options.hpp"
@@ -33,10 +32,9 @@ constexpr std::string_view eds_check_details =
     "file name is compared with FileName, but for standard input.\n";
 
 std::string hint_of(const driver::DataSheet& file) {
-    const std::size_t count = driver::count_repairable(file.findings);
+    const std::size_t count = driver::count_repairs(file);
     return count == 0 ? ""
-                      : fmt::format("{} of these can be repaired: cgw eds fix {} --in-place", count,
-                                    base::printable(file.path));
+                      : fmt::format("cgw eds fix can make {} safe repair{}", count, count == 1 ? "" : "s");
 }
 
 int run_eds_check(const Arguments& arguments) {
@@ -45,8 +43,8 @@ int run_eds_check(const Arguments& arguments) {
     CheckReport report(arguments);
     for (const std::string& path : paths) {
         driver::DataSheet file = driver::check_data_sheet(path, options);
+        std::string hint = arguments.value("--format") == "human" ? hint_of(file) : "";
         report.apply_options(file.findings);
-        std::string hint = hint_of(file);
         report.add({.path = path, .findings = file.findings.all(), .hint = std::move(hint)}, file.unreadable,
                    std::move(file.sources));
     }

@@ -75,21 +75,20 @@ std::string file_name_of(const Request& request, const std::string& path) {
     return name == "-" ? "" : std::filesystem::path(name).filename().string();
 }
 
-void report_repairs(const std::string& path, const eds_check::Fixed& fixed, bool color) {
+// `done`: "repaired", "to repair".
+void report_repairs(const std::string& path, const eds_check::Fixed& fixed, std::string_view done,
+                    bool color) {
+    std::string text;
     for (const eds_check::Repaired& repair : fixed.repairs) {
         const diagnostic::Position& at = repair.where.range.start;
-        std::fputs(fmt::format("{}:{}:{}: {}repaired:{} {} [{} {}]\n", base::printable(path), at.line,
-                               at.column, color ? "\x1b[1;32m" : "", color ? "\x1b[0m" : "",
-                               base::printable(repair.what), repair.rule->code, repair.rule->name)
-                       .c_str(),
-                   stderr);
+        text +=
+            fmt::format("{}:{}:{}: {}{}:{} {} [{} {}]\n", path, at.line, at.column, color ? "\x1b[1;32m" : "",
+                        done, color ? "\x1b[0m" : "", repair.what, repair.rule->code, repair.rule->name);
     }
     const std::size_t count = fixed.repairs.size();
-    std::fputs(
-        count == 0
-            ? fmt::format("{}: nothing to repair\n", base::printable(path)).c_str()
-            : fmt::format("{}: {} repair{}\n", base::printable(path), count, count == 1 ? "" : "s").c_str(),
-        stderr);
+    text += count == 0 ? fmt::format("{}: nothing to repair\n", path)
+                       : fmt::format("{}: {} repair{}\n", path, count, count == 1 ? "" : "s");
+    std::fputs(text.c_str(), stderr);
 }
 
 int refuse(const std::string& path, const eds_check::Fixed& fixed, const std::string& text, bool color) {
@@ -116,11 +115,16 @@ int run_eds_fix(const Arguments& arguments) {
     if (!fixed.doubts.all().empty()) {
         return refuse(path, fixed, *text, color);
     }
-    report_repairs(path, fixed, color);
+    const std::string shown = base::printable(path);
     if (request.mode == Mode::check) {
+        report_repairs(shown, fixed, "to repair", color);
         return fixed.repairs.empty() ? exit_fine : exit_findings;
     }
-    return write_text(request.output, fixed.text);
+    const int exit_code = write_text(request.output, fixed.text);
+    if (exit_code == exit_fine) {
+        report_repairs(shown, fixed, "repaired", color);
+    }
+    return exit_code;
 }
 
 }  // namespace

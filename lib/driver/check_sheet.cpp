@@ -7,12 +7,17 @@
 namespace cgw::driver {
 namespace {
 
+// "": standard input, whose name is not known.
+std::string file_name_of(const std::string& path) {
+    return path == "-" ? "" : std::filesystem::path(path).filename().string();
+}
+
 DataSheet checked(DataSheet file, eds_check::Options options) {
     if (!file.sheet) {
         return file;
     }
-    if (options.file_name.empty() && file.path != "-") {
-        options.file_name = std::filesystem::path(file.path).filename().string();
+    if (options.file_name.empty()) {
+        options.file_name = file_name_of(file.path);
     }
     eds_check::check(*file.document, *file.sheet, file.path, options, file.findings);
     file.findings.sort();
@@ -29,19 +34,17 @@ DataSheet check_data_sheet_text(const std::string& path, std::string text, eds_c
     return checked(read_data_sheet_text(path, std::move(text)), std::move(options));
 }
 
-std::size_t count_repairable(const diagnostic::Findings& findings) {
-    const auto row_of = [](const diagnostic::Diagnostic& finding) {
-        return eds_check::find_check(finding.rule);
-    };
-    const auto& all = findings.all();
-    if (std::any_of(all.begin(), all.end(), [&](const auto& finding) {
-            return row_of(finding) != nullptr && row_of(finding)->doubtful;
-        })) {
-        return 0;
-    }
-    return static_cast<std::size_t>(std::count_if(all.begin(), all.end(), [&](const auto& finding) {
-        return row_of(finding) != nullptr && row_of(finding)->repair != nullptr;
-    }));
+std::size_t count_repairs(const DataSheet& file) {
+    const auto& all = file.findings.all();
+    const bool may_be_repaired =
+        file.sheet && std::any_of(all.begin(), all.end(), [](const diagnostic::Diagnostic& finding) {
+            const eds_check::Check* const row = eds_check::find_check(finding.rule);
+            return row != nullptr && row->repair != nullptr;
+        });
+    return may_be_repaired
+               ? eds_check::fix(file.document->text(), file.path, {.file_name = file_name_of(file.path)})
+                     .repairs.size()
+               : 0;
 }
 
 }  // namespace cgw::driver

@@ -17,7 +17,7 @@ DataSheet check_data_sheet(const std::string& path, eds_check::Options options);
 // The same for a text that is or will be the file `path`.
 DataSheet check_data_sheet_text(const std::string& path, std::string text, eds_check::Options options);
 
-// How many of the findings are of kinds that `cgw eds fix` mends.
-std::size_t count_repairable(const diagnostic::Findings& findings);
+// How many repairs `cgw eds fix` would make in a file that was checked.
+std::size_t count_repairs(const DataSheet& file);
 
 }  // namespace cgw::driver

@@ -49,17 +49,17 @@ constexpr std::array user_rows{
 struct Restricted {
     std::uint32_t first;
     std::uint32_t last;
-    std::string_view owner;
+    std::string_view why;  // "identifier 123h, which ..."
 };
 constexpr std::array restricted{
-    Restricted{0x000, 0x000, "NMT commands"},
-    Restricted{0x001, 0x07F, "nobody since CiA 301 version 4.2"},
-    Restricted{0x101, 0x180, "safety objects (SRDO)"},
-    Restricted{0x581, 0x5FF, "answers of SDO servers"},
-    Restricted{0x601, 0x67F, "requests to SDO servers"},
-    Restricted{0x6E0, 0x6FF, "nobody since CiA 301 version 4.2"},
-    Restricted{0x701, 0x77F, "heartbeat and boot-up"},
-    Restricted{0x780, 0x7FF, "LSS and others"},
+    Restricted{0x000, 0x000, "is for NMT commands"},
+    Restricted{0x001, 0x07F, "CiA 301 forbids since version 4.2"},
+    Restricted{0x101, 0x180, "is for safety objects (SRDO)"},
+    Restricted{0x581, 0x5FF, "is for answers of SDO servers"},
+    Restricted{0x601, 0x67F, "is for requests to SDO servers"},
+    Restricted{0x6E0, 0x6FF, "CiA 301 forbids since version 4.2"},
+    Restricted{0x701, 0x77F, "is for heartbeat and boot-up"},
+    Restricted{0x780, 0x7FF, "is for LSS and others"},
 };
 
 struct User {
@@ -167,10 +167,10 @@ void check_restricted_identifiers(const Context& context) {
             return;
         }
         const std::uint32_t identifier = identifier_of(user, *node);
-        context.reading.report(rules::eds_cob_id_restricted, context.value_place(*user.group, user.sub_index),
-                               fmt::format("{} has identifier {}{}, which belongs to {}", name_of(user),
-                                           identifier_text(identifier), of_node(user, *node),
-                                           find_restricted(identifier)->owner));
+        context.reading.report(
+            rules::eds_cob_id_restricted, context.value_place(*user.group, user.sub_index),
+            fmt::format("{} has identifier {}{}, which {}", name_of(user), identifier_text(identifier),
+                        of_node(user, *node), find_restricted(identifier)->why));
     });
 }
 
@@ -229,7 +229,7 @@ void check_node_bases(const Context& context) {
             }
             context.reading.report(
                 rules::eds_node_id_absent, context.value_place(group, variable.sub_index),
-                fmt::format("identifier {} is a base to which the node id is added, and does not follow it",
+                fmt::format("identifier {} is that of no node: $NODEID is missing",
                             identifier_text(static_cast<std::uint32_t>(value->number & extended_mask))),
                 context.sheet.commissioning ? "" : fmt::format("write $NODEID+0x{:X}", value->number));
         }

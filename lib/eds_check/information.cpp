@@ -210,7 +210,7 @@ void check_node(const Context& context) {
 void check_node_bit_rate(const Context& context) {
     const std::uint32_t line = context.line_of(SectionKind::commissioning, "Baudrate");
     const auto stated = context.number(line);
-    if (!stated) {
+    if (!stated || *stated > eds::highest_u16) {  // told by the reader
         return;
     }
     const auto& supported = context.sheet.dictionary.device.bit_rates_kbit;

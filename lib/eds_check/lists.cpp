@@ -155,8 +155,8 @@ void check_list_numbers(const Context& context) {
             }
             context.reading.report(
                 rules::eds_list_numbers, context.document.key_span(line),
-                fmt::format("this list has {} entries, and {} is not the next number from 1", seen.size() - 1,
-                            key.substr(0, 20)));
+                fmt::format("a list of {} has an entry {}; they are numbered from 1 without a gap",
+                            seen.size() - 1, key.substr(0, 20)));
         }
     }
 }

@@ -54,6 +54,7 @@ std::vector<std::string_view> absent_keys(const Context& context, const eds::Sec
 template <typename Take>
 void for_each_unknown_key(const Context& context, Take take) {
     constexpr std::size_t longest_key = 64;
+    std::size_t searches = 1000;  // that are done; no file makes this slow
     std::optional<std::uint32_t> current;
     std::vector<std::string_view> absent;  // of the current section
     for_each_entry(context, [&](std::uint32_t number, std::uint32_t line) {
@@ -68,7 +69,9 @@ void for_each_unknown_key(const Context& context, Take take) {
             current = number;
             absent = absent_keys(context, section, kind);
         }
-        take(section, line, key.size() <= longest_key ? base::nearest_name(key, absent) : std::string());
+        const bool is_searched = key.size() <= longest_key && searches > 0;
+        searches -= is_searched ? 1 : 0;
+        take(section, line, is_searched ? base::nearest_name(key, absent) : std::string());
     });
 }
 

@@ -97,11 +97,11 @@ void check_key_uses(const Context& context) {
             }
             context.reading.report(
                 rules::eds_key_use, context.document.key_span(line),
-                fmt::format(
-                    "{} has a {}, and {}", context.label(part), use.name,
-                    parent ? fmt::format("is {}: its sub-objects state it",
-                                         group.object->code == ObjectCode::array ? "an ARRAY" : "a RECORD")
-                           : "has no sub-objects"));
+                parent ? fmt::format("{} stands in {}, which is {}: its sub-objects have one each", use.name,
+                                     context.label(part),
+                                     group.object->code == ObjectCode::array ? "an ARRAY" : "a RECORD")
+                       : fmt::format("{} stands in {}, which has no sub-objects", use.name,
+                                     context.label(part)));
         }
     });
 }

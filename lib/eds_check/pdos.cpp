@@ -86,9 +86,22 @@ const Variable* target_of(const Context& context, const Mapped& mapped) {
     return context.sheet.dictionary.find(mapped.index, mapped.mapped_sub_index);
 }
 
-std::string entry_text(const Mapped& mapped) {
+std::string entry_text(const Context& context, const Mapped& mapped) {
+    const dictionary::Object* const object = context.sheet.dictionary.find(mapped.index);
+    const bool alone =
+        mapped.mapped_sub_index == 0 && object != nullptr && !object::has_sub_objects(object->code);
     return fmt::format("[{:04X}sub{:X}] maps {}", mapped.group.index, mapped.sub_index,
-                       object_text(mapped.index, mapped.mapped_sub_index));
+                       mapped.is_dummy() ? fmt::format("the dummy {}", object_text(mapped.index))
+                       : alone           ? object_text(mapped.index)
+                                         : object_text(mapped.index, mapped.mapped_sub_index));
+}
+
+// It has a section, of which the reader has said that it cannot be understood.
+bool is_unreadable(const Context& context, const Mapped& mapped) {
+    const Group* const group = context.model.find(mapped.index);
+    const Part* const part = group != nullptr ? group->find(mapped.mapped_sub_index) : nullptr;
+    const bool alone = group != nullptr && group->object == nullptr && group->has_section;
+    return alone || (part != nullptr && part->variable == nullptr);
 }
 
 void report(const Context& context, const diagnostic::Rule& rule, const Mapped& mapped, std::string message) {
@@ -122,9 +135,9 @@ bool fits_direction(Access access, bool transmits) {
 
 void check_mapped_objects(const Context& context) {
     for_each_mapped(context, [&](const Mapped& mapped) {
-        if (!mapped.is_dummy() && target_of(context, mapped) == nullptr) {
+        if (!mapped.is_dummy() && target_of(context, mapped) == nullptr && !is_unreadable(context, mapped)) {
             report(context, rules::eds_mapped_absent, mapped,
-                   fmt::format("{}, which does not exist", entry_text(mapped)));
+                   fmt::format("{}, which does not exist", entry_text(context, mapped)));
         } else if (mapped.index == 0) {
             report(context, rules::eds_mapped_absent, mapped,
                    fmt::format("[{:04X}sub{:X}] is in use and maps nothing", mapped.group.index,
@@ -139,7 +152,7 @@ void check_mapped_lengths(const Context& context) {
         if (variable != nullptr && !is_length_of(*variable, mapped.bits)) {
             const dictionary::TypeRow& type = dictionary::row_of(variable->type);
             report(context, rules::eds_mapped_length, mapped,
-                   fmt::format("{} with {} bits; it is {} with {}", entry_text(mapped), mapped.bits,
+                   fmt::format("{} with {} bits; it is {} with {}", entry_text(context, mapped), mapped.bits,
                                type.name, type.bits));
         }
     });
@@ -150,7 +163,8 @@ void check_mapped_mappable(const Context& context) {
         const Variable* const variable = mapped.is_dummy() ? nullptr : target_of(context, mapped);
         if (variable != nullptr && !variable->pdo_mapping) {
             report(context, rules::eds_mapped_refused, mapped,
-                   fmt::format("{}, which cannot be mapped: its PDOMapping is not 1", entry_text(mapped)));
+                   fmt::format("{}, which cannot be mapped: its PDOMapping is not 1",
+                               entry_text(context, mapped)));
         }
     });
 }
@@ -160,7 +174,7 @@ void check_mapped_directions(const Context& context) {
         const Variable* const variable = mapped.is_dummy() ? nullptr : target_of(context, mapped);
         if (variable != nullptr && !fits_direction(variable->access, mapped.kind.transmits)) {
             report(context, rules::eds_mapped_direction, mapped,
-                   fmt::format("{} into a {} PDO, and its AccessType is {}", entry_text(mapped),
+                   fmt::format("{} into a {} PDO, and its AccessType is {}", entry_text(context, mapped),
                                mapped.kind.transmits ? "transmit" : "receive",
                                eds::access_types[static_cast<std::size_t>(variable->access)]));
         }
@@ -176,10 +190,10 @@ void check_dummies(const Context& context) {
         const bool allowed = std::find(supported.begin(), supported.end(), mapped.index) != supported.end();
         if (mapped.kind.transmits) {
             report(context, rules::eds_dummy, mapped,
-                   fmt::format("{}: only receive PDOs have dummies", entry_text(mapped)));
+                   fmt::format("{}; only receive PDOs have dummies", entry_text(context, mapped)));
         } else if (!allowed) {
             report(context, rules::eds_dummy, mapped,
-                   fmt::format("{}, and Dummy{:04X} of [DummyUsage] is not 1", entry_text(mapped),
+                   fmt::format("{}, and Dummy{:04X} of [DummyUsage] is not 1", entry_text(context, mapped),
                                mapped.index));
         }
     });
@@ -256,9 +270,10 @@ void check_transmission_types(const Context& context) {
         const auto type = number_of(group.object->find(type_sub_index));
         const std::uint64_t last = receives ? last_on_request : last_reserved;
         if (type && *type >= first_reserved && *type <= last) {
-            context.reading.report(rules::eds_transmission_type, context.value_place(group, type_sub_index),
-                                   fmt::format("transmission type {} is reserved for {} PDOs", *type,
-                                               receives ? "receive" : "transmit"));
+            context.reading.report(
+                rules::eds_transmission_type, context.value_place(group, type_sub_index),
+                fmt::format("transmission type {} is {}", *type,
+                            *type > last_reserved ? "for transmit PDOs only" : "a reserved one"));
         }
     }
 }

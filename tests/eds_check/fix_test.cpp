@@ -68,7 +68,7 @@ TEST(Fix, leaves_a_sheet_without_findings_as_it_is) {
 
 TEST(Fix, is_idempotent_and_leaves_no_finding_that_it_could_mend) {
     std::mt19937 random(20061);
-    for (int round = 0; round < 300; ++round) {
+    for (int round = 0; round < 80; ++round) {
         const std::string text = broken_sheet(random);
         const Fixed once = fixed_of(text);
         ASSERT_TRUE(once.doubts.all().empty()) << text << test::as_lines(once.doubts);
@@ -88,7 +88,7 @@ TEST(Fix, is_idempotent_and_leaves_no_finding_that_it_could_mend) {
 
 TEST(Fix, does_not_change_the_device_that_the_sheet_describes) {
     std::mt19937 random(20062);
-    for (int round = 0; round < 200; ++round) {
+    for (int round = 0; round < 60; ++round) {
         const std::string text = broken_sheet(random);
         const eds::Document before(text);
         const eds::Document after(fixed_of(text).text);
