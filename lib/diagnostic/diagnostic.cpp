@@ -29,7 +29,14 @@ void Findings::hide(const std::vector<const Rule*>& rules) {
 
 void Findings::promote_warnings() {
     for (Diagnostic& finding : all_) {
-        finding.promoted = finding.rule->level == Level::warning;
+        finding.promoted = finding.promoted || finding.rule->level == Level::warning;
+    }
+}
+
+void Findings::promote(const std::vector<const Rule*>& rules) {
+    for (Diagnostic& finding : all_) {
+        finding.promoted =
+            finding.promoted || std::find(rules.begin(), rules.end(), finding.rule) != rules.end();
     }
 }
 

@@ -23,7 +23,7 @@ struct Diagnostic {
     Location where;
     std::vector<Related> related{};
     std::string help{};
-    bool promoted = false;  // a warning that the user wants treated as an error (--werror)
+    bool promoted = false;  // a finding that the user wants treated as an error (--werror, --strict)
 
     Level level() const { return promoted ? Level::error : rule->level; }
 };
@@ -42,6 +42,9 @@ class Findings {
     // Hides the warnings and notes of these rules; errors stay. Promotes the remaining warnings.
     void hide(const std::vector<const Rule*>& rules);
     void promote_warnings();
+
+    // Makes errors of the findings of these rules.
+    void promote(const std::vector<const Rule*>& rules);
 
   private:
     std::vector<Diagnostic> all_;

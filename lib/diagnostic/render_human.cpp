@@ -134,6 +134,7 @@ std::string render_human(const RenderInput& input) {
         if (input.verdicts) {
             text += summary(file);
             append_not_verified(text, file);
+            text += file.hint.empty() ? "" : fmt::format("  {}\n", base::printable(file.hint));
         } else if (!text.empty()) {
             text.pop_back();  // the blank line
         }

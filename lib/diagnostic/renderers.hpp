@@ -18,6 +18,7 @@ struct FileReport {
     std::vector<Diagnostic> findings;
     std::vector<std::string> not_verified{};  // what no check can know, one line each
     bool is_catalogue = false;                // and no parameter file
+    std::string hint{};                       // for people: one line behind the count of findings
 };
 
 struct RenderInput {

@@ -16,15 +16,16 @@ std::string_view to_text(Level level);  // "error", "warning", "note"
 
 // What the two examples of a rule are.
 enum class Example {
-    none,            // nothing printed can break the rule; both are empty
-    parameter_file,  // lines of a parameter file, to be read on top of a valid one
-    copied_file,     // the same, of a file that is then copied
-    table,           // a whole printed table of the governor
-    table_rows,      // rows of one, on top of a table that prints every row of concern
-    scenario,        // steps of a scenario of samples/genset.toml that lasts 10 s
-    firmware,        // an Intel HEX file into which an image is put at 0x08010000
-    data_sheet,      // sections of an EDS or DCF
-    database,        // a CAN database
+    none,              // nothing printed can break the rule; both are empty
+    parameter_file,    // lines of a parameter file, to be read on top of a valid one
+    copied_file,       // the same, of a file that is then copied
+    table,             // a whole printed table of the governor
+    table_rows,        // rows of one, on top of a table that prints every row of concern
+    scenario,          // steps of a scenario of samples/genset.toml that lasts 10 s
+    firmware,          // an Intel HEX file into which an image is put at 0x08010000
+    data_sheet,        // sections of an EDS or DCF, as they are read
+    data_sheet_lines,  // lines of one, on top of an EDS that keeps all rules; behind `; ` one that goes away
+    database,          // a CAN database
 };
 
 // The language of such an example, as Markdown names it behind a fence: "toml", "text".
@@ -170,6 +171,83 @@ CGW_RULE(eds_section_alone);
 CGW_RULE(eds_entry_alone);
 CGW_RULE(eds_spelling);
 CGW_RULE(eds_too_much);
+
+// E08: EDS and DCF, as they are checked
+CGW_RULE(eds_line_length);
+CGW_RULE(eds_character);
+CGW_RULE(eds_byte_order_mark);
+CGW_RULE(eds_comment_mark);
+CGW_RULE(eds_line_ends);
+CGW_RULE(eds_blanks);
+CGW_RULE(eds_header_tail);
+CGW_RULE(eds_semicolon);
+CGW_RULE(eds_section_case);
+CGW_RULE(eds_sub_zero);
+CGW_RULE(eds_section_unknown);
+CGW_RULE(eds_key_case);
+CGW_RULE(eds_key_misspelt);
+CGW_RULE(eds_key_unknown);
+CGW_RULE(eds_section_absent);
+CGW_RULE(eds_keys_absent);
+CGW_RULE(eds_commissioning_twice);
+CGW_RULE(eds_list_count);
+CGW_RULE(eds_entry_count);
+CGW_RULE(eds_comment_count);
+CGW_RULE(eds_list_numbers);
+CGW_RULE(eds_listed_twice);
+CGW_RULE(eds_listed_absent);
+CGW_RULE(eds_unlisted);
+CGW_RULE(eds_wrong_list);
+CGW_RULE(eds_mandatory_object);
+CGW_RULE(eds_key_use);
+CGW_RULE(eds_name_absent);
+CGW_RULE(eds_names_equal);
+CGW_RULE(eds_object_type_absent);
+CGW_RULE(eds_sub_number);
+CGW_RULE(eds_sub_number_absent);
+CGW_RULE(eds_sub_0_absent);
+CGW_RULE(eds_sub_0_type);
+CGW_RULE(eds_sub_0_value);
+CGW_RULE(eds_default_absent);
+CGW_RULE(eds_array_types);
+CGW_RULE(eds_standard_code);
+CGW_RULE(eds_standard_type);
+CGW_RULE(eds_access_case);
+CGW_RULE(eds_octal);
+CGW_RULE(eds_leading_zero);
+CGW_RULE(eds_limits);
+CGW_RULE(eds_value_limits);
+CGW_RULE(eds_signed_value);
+CGW_RULE(eds_mappable_rw);
+CGW_RULE(eds_mappable_type);
+CGW_RULE(eds_file_name);
+CGW_RULE(eds_version);
+CGW_RULE(eds_date);
+CGW_RULE(eds_time);
+CGW_RULE(eds_identity);
+CGW_RULE(eds_bit_rates);
+CGW_RULE(eds_granularity);
+CGW_RULE(eds_pdo_count);
+CGW_RULE(eds_lss);
+CGW_RULE(eds_node_id);
+CGW_RULE(eds_node_bit_rate);
+CGW_RULE(eds_serial_number);
+CGW_RULE(eds_configured_value);
+CGW_RULE(eds_mapped_absent);
+CGW_RULE(eds_mapped_length);
+CGW_RULE(eds_mapped_refused);
+CGW_RULE(eds_mapped_direction);
+CGW_RULE(eds_dummy);
+CGW_RULE(eds_mapped_bits);
+CGW_RULE(eds_mapped_count);
+CGW_RULE(eds_pdo_pair);
+CGW_RULE(eds_transmission_type);
+CGW_RULE(eds_cob_id_restricted);
+CGW_RULE(eds_cob_id_twice);
+CGW_RULE(eds_cob_id_form);
+CGW_RULE(eds_node_id_absent);
+CGW_RULE(eds_sdo_server);
+CGW_RULE(eds_heartbeat_consumer);
 
 // E10: CAN databases (DBC)
 CGW_RULE(dbc_text);

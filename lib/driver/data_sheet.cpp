@@ -7,6 +7,21 @@
 
 namespace cgw::driver {
 
+namespace {
+
+// For display, where lines end with a line feed: some old files have carriage returns alone.
+std::string with_line_feeds(const eds::Document& document) {
+    std::string text = document.text();
+    for (const eds::Line& line : document.lines()) {
+        if (line.line_end == eds::LineEnd::cr) {
+            text[line.end] = '\n';
+        }
+    }
+    return text;
+}
+
+}  // namespace
+
 DataSheet read_data_sheet(const std::string& path) {
     base::Result<std::string> text = base::read_file(path, eds::largest_text);
     if (text) {
@@ -23,7 +38,7 @@ DataSheet read_data_sheet_text(const std::string& path, std::string text) {
     file.path = path;
     file.document = std::make_unique<eds::Document>(std::move(text));
     file.sheet = eds::read(*file.document, path, file.findings);
-    file.sources[path] = file.document->text();
+    file.sources[path] = with_line_feeds(*file.document);
     file.findings.sort();
     return file;
 }

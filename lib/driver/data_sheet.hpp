@@ -17,7 +17,7 @@ struct DataSheet {
     std::unique_ptr<eds::Document> document;  // both are there unless the file could not be read
     std::optional<eds::Sheet> sheet;
     diagnostic::Findings findings;               // sorted by place
-    std::map<std::string, std::string> sources;  // by path: the file's text
+    std::map<std::string, std::string> sources;  // by path: the file's text, its lines ended by line feeds
     bool unreadable = false;                     // exit code 3
 
     // The sheet holds all that the file says.

@@ -67,8 +67,8 @@ constexpr std::array device_keys{
     row("OrderCode", DeviceKey::order_code),
     row("SimpleBootUpMaster", DeviceKey::simple_boot_up_master),
     row("SimpleBootUpSlave", DeviceKey::simple_boot_up_slave),
-    row("SimpleBoot-upMaster", DeviceKey::simple_boot_up_master, true),  // D41: as the manual prints it
-    row("SimpleBoot-upSlave", DeviceKey::simple_boot_up_slave, true),
+    row(misspelt_device_keys[0].written, DeviceKey::simple_boot_up_master, true),
+    row(misspelt_device_keys[1].written, DeviceKey::simple_boot_up_slave, true),
     row("Granularity", DeviceKey::granularity),
     row("DynamicChannelsSupported", DeviceKey::dynamic_channels),
     row("GroupMessaging", DeviceKey::group_messaging),

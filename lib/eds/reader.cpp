@@ -9,11 +9,15 @@ namespace {
 
 namespace rules = diagnostic::rules;
 
+bool is_utf_16(const Document& document) {
+    const std::string& text = document.text();
+    return text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF");
+}
+
 // False where the bytes are no text of which anything can be read.
 bool judge_bytes(Reading& reading) {
     const Document& document = reading.document;
-    const std::string& text = document.text();
-    if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF")) {
+    if (is_utf_16(document)) {
         reading.report_whole_file(rules::eds_text, "the file is UTF-16; an EDS has one byte per character");
         return false;
     }
@@ -72,7 +76,7 @@ void judge_names(Reading& reading) {
             first = order[i];
         }
         const SectionName& name = reading.sections.name(order[i]);
-        if (name.misspelt) {
+        if (name.misspelt && reading.sections.find(name.kind) == order[i]) {
             reading.report(rules::eds_spelling, document.name_span(section),
                            fmt::format("{} is no section of CiA 306; it is read as [{}]",
                                        reading.quoted(section), standard_name(name.kind)));
@@ -82,9 +86,14 @@ void judge_names(Reading& reading) {
 
 }  // namespace
 
-Sheet read(const Document& document, const std::string& path, diagnostic::Findings& findings) {
+bool is_sheet(const Document& document) {
+    return !is_utf_16(document) && !document.sections().empty();
+}
+
+Sheet read(const Document& document, const std::string& path, diagnostic::Findings& findings,
+           std::size_t most) {
     Sheet sheet{{}, {}, SectionTable(document)};
-    Reading reading(document, sheet.sections, path, findings);
+    Reading reading(document, sheet.sections, path, findings, most);
     if (!judge_bytes(reading)) {
         return sheet;
     }

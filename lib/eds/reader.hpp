@@ -32,6 +32,11 @@ struct Sheet {
 // Sub-objects that CompactSubObj, and PDO parameters that CompactPDO implies stand in the dictionary like all
 // others; in `sections` they have no section of their own. Names and texts are as they stand there: ASCII,
 // Latin-1 or UTF-8.
-Sheet read(const Document& document, const std::string& path, diagnostic::Findings& findings);
+// Of each kind of finding `most` are told one by one.
+Sheet read(const Document& document, const std::string& path, diagnostic::Findings& findings,
+           std::size_t most = most_findings);
+
+// False for UTF-16 and for what has no section: of such bytes nothing is read.
+bool is_sheet(const Document& document);
 
 }  // namespace cgw::eds

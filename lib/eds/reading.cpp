@@ -9,7 +9,6 @@
 #include "base/ascii.hpp"
 #include "base/numbers.hpp"
 #include "base/utf8.hpp"
-#include "eds/reader.hpp"
 
 namespace cgw::eds {
 namespace {
@@ -43,7 +42,7 @@ bool fits(const Number& number, const TypeRow& type) {
 
 void Reading::report(const diagnostic::Rule& rule, const Span& span, std::string message, std::string help,
                      std::vector<diagnostic::Related> related) {
-    if (++counts_[&rule] <= most_findings) {
+    if (++counts_[&rule] <= most_) {
         findings_.report({&rule, std::move(message), location(span), std::move(related), std::move(help)});
     }
 }
@@ -54,9 +53,9 @@ void Reading::report_whole_file(const diagnostic::Rule& rule, std::string messag
 
 void Reading::finish() {
     for (const auto& [rule, count] : counts_) {
-        if (count > most_findings) {
+        if (count > most_) {
             report_whole_file(*rule, fmt::format("{} more findings of this kind are not told one by one",
-                                                 count - most_findings));
+                                                 count - most_));
         }
     }
 }

@@ -46,8 +46,8 @@ class KeyLines {
 class Reading {
   public:
     Reading(const Document& of_document, const SectionTable& of_sections, const std::string& path,
-            diagnostic::Findings& findings)
-        : document(of_document), sections(of_sections), path_(path), findings_(findings) {}
+            diagnostic::Findings& findings, std::size_t most)
+        : document(of_document), sections(of_sections), path_(path), findings_(findings), most_(most) {}
 
     const Document& document;
     const SectionTable& sections;
@@ -119,6 +119,7 @@ class Reading {
 
     const std::string& path_;
     diagnostic::Findings& findings_;
+    std::size_t most_;  // findings of one kind that are told one by one
     std::map<const diagnostic::Rule*, std::size_t> counts_;
 };
 

@@ -124,9 +124,11 @@ std::string checks_page(const Catalogue&) {
         "copied.\n"
         "Those of E06 are steps of a [scenario](scenarios.md) of `samples/genset.toml` that lasts 10 s;\n"
         "those of E07 are Intel HEX files into which `cgw image embed` puts an image at 0x08010000; those of "
-        "E08 "
-        "are sections\n"
-        "of an EDS.\n\n";
+        "E0801\n"
+        "to E0817 are sections of an EDS, those of E0820 on lines on top of an EDS that keeps all rules: a "
+        "line replaces\n"
+        "the one with its key, and `; DefaultValue=` stands for a line, `; [2001sub2]` for a section that "
+        "is not there.\n\n";
     std::string list = render_markdown(check_list(), heading_of_group);
     for (const Rule* rule : diagnostic::all_rules()) {
         list = replaced(list, fmt::format("| {} |", rule->code),

@@ -47,6 +47,122 @@ class Case(unittest.TestCase):
         return path
 
 
+class Check(Case):
+    def test_what_cgw_writes_has_no_findings_with_strict(self):
+        for path in (self.eds, self.dcf):
+            result = cgw("eds", "check", "--strict", path)
+            self.assertEqual((result.returncode, result.stderr), (0, b""), result.stdout)
+            self.assertIn(b"valid, no findings", result.stdout)
+        generic = self.dir / "CANopenGateway.eds"
+        self.assertEqual(cgw("emit", "eds", "--generic", "-o", generic).returncode, 0)
+        self.assertEqual(cgw("eds", "check", "--strict", generic).returncode, 0)
+
+    def test_findings_have_file_line_and_column(self):
+        path = self.changed(b"AccessType=ro", b"AccessType=RO", "CANopenGateway.eds")
+        line = path.read_bytes().split(b"AccessType=RO")[0].count(b"\n") + 1
+        result = cgw("eds", "check", "--format", "concise", path)
+        self.assertEqual((result.returncode, result.stderr), (0, b""))
+        self.assertEqual(result.stdout, b"%s:%d:12: warning: AccessType is `RO`; CiA 306 writes ro "
+                         b"[E0859 eds-access-case]\n" % (str(path).encode(), line))
+
+    def test_strict_and_werror_make_errors_of_it(self):
+        path = self.changed(b"AccessType=ro", b"AccessType=RO", "CANopenGateway.eds")
+        for option in ("--strict", "--werror"):
+            result = cgw("eds", "check", option, path)
+            self.assertEqual(result.returncode, 1)
+            self.assertIn(b"not valid, 1 error", result.stdout)
+            self.assertIn(b"cgw eds fix can make 1 safe repair", result.stdout)
+        self.assertEqual(cgw("eds", "check", "--strict", "-W", "no-eds-access-case", path).returncode, 0)
+
+    def test_all_files_are_checked_whatever_the_first_ones_hold(self):
+        result = cgw("eds", "check", "--format", "json", self.dir / "none.eds", self.eds, "-", stdin=b"nothing")
+        self.assertEqual(result.returncode, 3)
+        report = json.loads(result.stdout)
+        self.assertEqual([len(file["diagnostics"]) for file in report["files"]], [1, 0, 1])
+        self.assertEqual([file["path"] for file in report["files"]][1:], [str(self.eds), "-"])
+
+    def test_standard_input_has_no_file_name_to_compare_with(self):
+        result = cgw("eds", "check", "-", stdin=self.eds.read_bytes())
+        self.assertEqual((result.returncode, result.stdout), (0, b"<stdin>: valid, no findings\n"))
+
+    def test_a_node_id_decides_which_identifiers_meet(self):
+        text = self.eds.read_bytes().replace(b"DefaultValue=$NODEID+0x200", b"DefaultValue=0x00000185")
+        for node, code in (("5", 1), ("6", 0)):
+            result = cgw("eds", "check", "--node-id", node, "--format", "concise", "-", stdin=text)
+            self.assertEqual(result.returncode, code, result.stdout)
+        for node in ("0", "128", "x"):
+            self.assertEqual(cgw("eds", "check", "--node-id", node, self.eds).returncode, 2)
+
+    def test_sarif_and_github_work_as_for_parameter_files(self):
+        path = self.changed(b"AccessType=ro", b"AccessType=RO")
+        sarif = json.loads(cgw("eds", "check", "--format", "sarif", path).stdout)
+        self.assertIn("E0859", [result["ruleId"] for result in sarif["runs"][0]["results"]])
+        self.assertIn(b"::warning file=", cgw("eds", "check", "--format", "github", path).stdout)
+
+
+class Fix(Case):
+    def setUp(self):
+        super().setUp()
+        self.broken = self.changed(b"AccessType=ro", b"AccessType=RO", "CANopenGateway.eds")
+
+    def test_the_repaired_file_is_the_one_it_was(self):
+        out = self.dir / "out"
+        out.mkdir()
+        result = cgw("eds", "fix", self.broken, "-o", out / "CANopenGateway.eds")
+        self.assertEqual((result.returncode, result.stdout), (0, b""))
+        self.assertIn(b":12: repaired: RO becomes ro [E0859 eds-access-case]", result.stderr)
+        self.assertEqual((out / "CANopenGateway.eds").read_bytes(), self.eds.read_bytes())
+
+    def test_in_place_changes_the_file_and_a_second_run_nothing(self):
+        self.assertEqual(cgw("eds", "fix", self.broken, "--in-place").returncode, 0)
+        self.assertEqual(self.broken.read_bytes(), self.eds.read_bytes())
+        before = self.broken.stat().st_mtime_ns
+        result = cgw("eds", "fix", self.broken, "--in-place")
+        self.assertIn(b"nothing to repair", result.stderr)
+        self.assertEqual(self.broken.stat().st_mtime_ns, before)
+
+    def test_check_writes_nothing_and_says_whether_there_is_something_to_do(self):
+        before = self.broken.read_bytes()
+        result = cgw("eds", "fix", self.broken, "--check")
+        self.assertEqual((result.returncode, result.stdout), (1, b""))
+        self.assertIn(b"to repair: RO becomes ro", result.stderr)
+        self.assertEqual(self.broken.read_bytes(), before)
+        self.assertEqual(cgw("eds", "fix", self.eds, "--check").returncode, 0)
+
+    def test_standard_input_goes_to_standard_output(self):
+        result = cgw("eds", "fix", "-", "-o", "-", stdin=self.broken.read_bytes())
+        self.assertEqual((result.returncode, result.stdout), (0, self.eds.read_bytes()))
+
+    def test_the_file_name_inside_becomes_the_one_outside(self):
+        result = cgw("eds", "fix", self.eds, "-o", self.dir / "other.eds")
+        self.assertEqual(result.returncode, 0)
+        self.assertIn(b"FileName=CANopenGateway.eds becomes other.eds", result.stderr)
+        self.assertIn(b"FileName=other.eds\r\n", (self.dir / "other.eds").read_bytes())
+
+    def test_nothing_is_written_where_it_is_not_certain_what_the_file_says(self):
+        path = self.changed(b"AccessType=ro", b"AccessType=RO\r\nAccessType=rw", "twice.eds")
+        before = path.read_bytes()
+        result = cgw("eds", "fix", path, "--in-place")
+        self.assertEqual((result.returncode, result.stdout), (1, b""))
+        self.assertIn(b"E0805 eds-key-twice", result.stderr)
+        self.assertIn(b"nothing is repaired", result.stderr)
+        self.assertEqual(path.read_bytes(), before)
+
+    def test_what_cannot_be_written_is_not_told_as_repaired(self):
+        result = cgw("eds", "fix", self.broken, "-o", self.dir / "none" / "CANopenGateway.eds")
+        self.assertEqual(result.returncode, 3)
+        self.assertNotIn(b"repaired", result.stderr)
+
+    def test_one_thing_is_asked_for_and_no_other_file_overwritten(self):
+        other = self.dir / "other.eds"
+        other.write_bytes(b"")
+        for arguments in ([], ["--check", "--in-place"], ["-o", self.broken], ["-o", other]):
+            result = cgw("eds", "fix", self.broken, *arguments)
+            self.assertEqual((result.returncode, result.stdout), (2, b""), arguments)
+        self.assertEqual(cgw("eds", "fix", "-", "--in-place", stdin=b"").returncode, 2)
+        self.assertEqual(cgw("eds", "fix", self.broken, "-o", other, "--force").returncode, 0)
+
+
 class Diff(Case):
     def test_all_descriptions_of_one_gateway_are_the_same(self):
         for a in (GENSET, self.eds, self.dcf, self.image):

@@ -12,9 +12,11 @@
 #include "driver/scenario_file.hpp"
 #include "driver/tables.hpp"
 #include "eds/reader.hpp"
+#include "eds_check/checks.hpp"
 #include "emit/concerned.hpp"
 #include "firmware_file/embed.hpp"
 #include "support/scratch_directory.hpp"
+#include "support/valid_data_sheet.hpp"
 
 namespace cgw::driver {
 namespace {
@@ -119,6 +121,16 @@ diagnostic::Findings findings_in_database(std::string_view text) {
     return findings;
 }
 
+// The same of a whole EDS, with what the checks find.
+diagnostic::Findings findings_in_checked_sheet(const std::string& text) {
+    diagnostic::Findings findings;
+    const std::string path = "example.eds";
+    const eds::Document document(text);
+    const eds::Sheet sheet = eds::read(document, path, findings);
+    eds_check::check(document, sheet, path, {.file_name = path}, findings);
+    return findings;
+}
+
 diagnostic::Findings findings_of(Example kind, std::string_view example) {
     switch (kind) {
         case Example::none:
@@ -139,6 +151,8 @@ diagnostic::Findings findings_of(Example kind, std::string_view example) {
             return findings_in_data_sheet(std::string(example));
         case Example::database:
             return findings_in_database(example);
+        case Example::data_sheet_lines:
+            return findings_in_checked_sheet(test::data_sheet_with(example));
     }
     return {};
 }
@@ -175,14 +189,19 @@ TEST(RuleExampleTables, have_no_findings_themselves) {
     EXPECT_EQ(test::findings_text(findings_in_table(complete_table(Device::governor), true)), "");
 }
 
+TEST(RuleExampleDataSheet, has_no_findings_itself) {
+    EXPECT_EQ(test::findings_text(findings_in_checked_sheet(std::string(test::valid_data_sheet))), "");
+}
+
 TEST(RuleExampleKinds, without_examples_are_the_rules_that_nothing_printed_can_break) {
     std::string names;
     for (const Rule* rule : diagnostic::all_rules()) {
         names += rule->example == Example::none ? fmt::format("{} ", rule->name) : "";
     }
-    EXPECT_EQ(names,
-              "file-unreadable file-too-large file-not-utf8 elf-structure firmware-section firmware-address "
-              "image-alignment image-room image-refused eds-text eds-too-much ");
+    EXPECT_EQ(
+        names,
+        "file-unreadable file-too-large file-not-utf8 elf-structure firmware-section firmware-address "
+        "image-alignment image-room image-refused eds-text eds-too-much eds-byte-order-mark eds-line-ends ");
 }
 
 }  // namespace

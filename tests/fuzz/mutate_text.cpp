@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "catalogue/catalogue.hpp"
+#include "eds_check/keys.hpp"
 #include "fuzz/mutation.hpp"
 #include "input/sections.hpp"
 #include "scenario/actions.hpp"
@@ -43,6 +44,41 @@ void add_scenario(Words& words, std::span<const scenario::Key> keys) {
     }
 }
 
+void add_sheets(Words& words) {
+    constexpr auto last = static_cast<std::size_t>(eds::SectionKind::module_sub_extension);
+    for (std::size_t kind = 0; kind <= last; ++kind) {
+        const std::string_view section = eds::standard_name(static_cast<eds::SectionKind>(kind));
+        if (!section.empty()) {
+            words.push_back("[" + std::string(section) + "]");
+        }
+        for (const eds_check::KeyRow& row : eds_check::rows_of(static_cast<eds::SectionKind>(kind))) {
+            words.emplace_back(row.name);
+        }
+    }
+    for (const std::string_view word : {"[1018]",
+                                        "[1018sub0]",
+                                        "[1A00]",
+                                        "[1A00sub1]",
+                                        "[2000Value]",
+                                        "[M1ModuleInfo]",
+                                        "[M1SubExt2000]",
+                                        "$NODEID+0x180",
+                                        "0x180+$NODEID",
+                                        "0x20000010",
+                                        "0x0x12",
+                                        "010",
+                                        "12:00AM",
+                                        "rww",
+                                        "RO",
+                                        "12345678",
+                                        "0xFFFFFFFF",
+                                        "0x80000180",
+                                        "#",
+                                        ";"}) {
+        words.emplace_back(word);
+    }
+}
+
 // What the tables know, and what TOML and printed tables are made of.
 Words all_words() {
     Words words = {"true",
@@ -80,6 +116,7 @@ Words all_words() {
                    "1,0",
                    "#### gateway",
                    "#### catalogue"};
+    add_sheets(words);
     add_keys(words, input::file_table());
     add_parameters(words);
     add_scenario(words, scenario::file_keys());

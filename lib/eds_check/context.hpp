@@ -1,0 +1,125 @@
+// What the checks share: the file in the order of its objects, keys by what they are, values with their
+// places.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/canopen_text.hpp"
+#include "dictionary/data_types.hpp"
+#include "eds/object_keys.hpp"
+#include "eds/reading.hpp"
+#include "eds_check/checks.hpp"
+#include "eds_check/keys.hpp"
+
+namespace cgw::eds_check {
+
+using base::object_text;
+using eds::ObjectKey;
+using eds::Span;
+
+// A section of an object or sub-object of the device; of those with one name the first.
+struct Part {
+    std::uint32_t section = 0;
+    std::uint16_t index = 0;
+    std::uint8_t sub_index = 0;
+    bool is_sub_object = false;
+    eds::KeyLines lines;
+    const dictionary::Variable* variable = nullptr;  // nullptr: none, or one that could not be read
+};
+
+struct Group {
+    std::uint16_t index = 0;
+    std::span<const Part> parts{};               // the object's own section first, when it has one
+    const dictionary::Object* object = nullptr;  // nullptr: none, or one that could not be read
+    bool has_section = false;
+
+    const Part& own() const { return parts.front(); }  // when has_section
+    std::span<const Part> sub_objects() const { return parts.subspan(has_section ? 1 : 0); }
+    const Part* find(std::uint8_t sub_index) const;
+};
+
+// The file, looked through once for all checks.
+class Model {
+  public:
+    Model(const eds::Document& document, const eds::Sheet& sheet);
+
+    std::span<const Group> groups() const { return groups_; }  // ascending index
+    const Group* find(std::uint16_t index) const;
+
+    // What the key on a line is; nullptr: unknown, or no entry of a section whose keys are known.
+    const KeyRow* key_row(std::uint32_t line) const { return key_rows_[line]; }
+
+  private:
+    void read_keys(const eds::Document& document, const eds::Sheet& sheet);
+    void read_parts(const eds::Document& document, const eds::Sheet& sheet);
+    void group_parts(const eds::Sheet& sheet);
+
+    std::vector<const KeyRow*> key_rows_;  // by line
+    std::vector<Part> parts_;
+    std::vector<Group> groups_;
+};
+
+struct Context {
+    eds::Reading& reading;
+    const eds::Document& document;
+    const eds::Sheet& sheet;
+    const Model& model;
+    const Options& options;
+
+    std::optional<std::uint8_t> node_id() const;  // of the options, else of the configuration file
+
+    // A number that stands there as CiA 306 has it, without $NODEID; the reader reports what is none.
+    std::optional<std::uint64_t> number(std::uint32_t line) const;
+
+    bool stated(std::uint32_t line) const { return line != 0 && !document.value(line).empty(); }
+
+    // The line of a key in the first section of that kind; 0: not there.
+    std::uint32_t line_of(eds::SectionKind kind, std::string_view key) const;
+
+    Span header_of(std::uint32_t section) const { return document.name_span(reading.section(section)); }
+
+    // "[1018sub1]"
+    std::string label(const Part& part) const { return reading.quoted(reading.section(part.section)); }
+
+    // Where the value of a variable stands: ParameterValue, else DefaultValue, else its section, else the
+    // object's.
+    Span value_place(const Group& group, std::uint8_t sub_index) const;
+
+    eds::SectionKind kind_of(std::uint32_t section) const { return sheet.sections.name(section).kind; }
+};
+
+// What counts of a variable: the value of the one node, else the default; nullptr when none is stated.
+const dictionary::Value* value_of(const dictionary::Variable& variable);
+
+// The same of a number; nothing also for what is no number.
+std::optional<std::uint64_t> number_of(const dictionary::Variable* variable);
+
+// Calls `take(line)` for each entry of each section.
+template <typename Take>
+void for_each_entry(const Context& context, Take take) {
+    const std::span<const eds::Section> sections = context.document.sections();
+    for (std::uint32_t number = 0; number < sections.size(); ++number) {
+        for (std::uint32_t line = sections[number].header + 1; line < sections[number].end; ++line) {
+            if (context.document.lines()[line].kind == eds::LineKind::entry) {
+                take(number, line);
+            }
+        }
+    }
+}
+
+// Calls `take(group, part)` for each section of an object or sub-object.
+template <typename Take>
+void for_each_part(const Context& context, Take take) {
+    for (const Group& group : context.model.groups()) {
+        for (const Part& part : group.parts) {
+            take(group, part);
+        }
+    }
+}
+
+}  // namespace cgw::eds_check

@@ -1,0 +1,191 @@
+// Values of variables: how their numbers are written, limits, what may be mapped.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "base/ascii.hpp"
+#include "eds_check/context.hpp"
+#include "eds_check/subjects.hpp"
+
+namespace cgw::eds_check {
+namespace {
+
+namespace rules = diagnostic::rules;
+using dictionary::TypeKind;
+using dictionary::TypeRow;
+using dictionary::Value;
+using dictionary::Variable;
+using object::Access;
+
+constexpr std::array value_keys{ObjectKey::default_value, ObjectKey::parameter_value, ObjectKey::low_limit,
+                                ObjectKey::high_limit};
+
+// Order of two values of the type; nothing where they have none: other kinds, or one follows the node number.
+std::optional<bool> is_below(const Value& a, const Value& b, const TypeRow& type) {
+    if (a.node_id_relative || b.node_id_relative) {
+        return std::nullopt;
+    }
+    if (type.kind == TypeKind::natural || type.kind == TypeKind::boolean) {
+        return a.number < b.number;
+    }
+    if (type.kind == TypeKind::integer) {
+        const std::uint64_t sign = std::uint64_t{1} << (type.bits - 1);
+        return (a.number ^ sign) < (b.number ^ sign);
+    }
+    return std::nullopt;
+}
+
+bool has_crossed_limits(const Variable& variable) {
+    return variable.low_limit && variable.high_limit &&
+           is_below(*variable.high_limit, *variable.low_limit, dictionary::row_of(variable.type))
+               .value_or(false);
+}
+
+// The value is one of `variable`, which has a limit on that side, and lies beyond it.
+bool is_beyond(const Variable& variable, const Value& value) {
+    const TypeRow& type = dictionary::row_of(variable.type);
+    const bool below = variable.low_limit && is_below(value, *variable.low_limit, type).value_or(false);
+    return below || (variable.high_limit && is_below(*variable.high_limit, value, type).value_or(false));
+}
+
+bool is_octal(std::string_view text) {
+    return text.size() > 1 && text.front() == '0' && base::consists_of(text, "01234567");
+}
+
+// A number stands there, and no text or octets, which may begin with 0.
+bool holds_number(const Context& context, std::uint32_t section, const KeyRow& row) {
+    const eds::SectionName& name = context.sheet.sections.name(section);
+    if (row.holds != Holds::value || row.tail != Tail::none) {
+        return row.holds == Holds::number;
+    }
+    const Group* const group = name.module == 0 ? context.model.find(name.index) : nullptr;
+    const dictionary::Object* const object = group != nullptr ? group->object : nullptr;
+    const Variable* const variable = object != nullptr ? object->find(name.sub_index) : nullptr;
+    const TypeKind kind = variable != nullptr ? dictionary::row_of(variable->type).kind : TypeKind::structure;
+    return dictionary::is_numeric(kind) && kind != TypeKind::real;
+}
+
+// Calls `take(line, text)` for each number that begins with 0 without being hexadecimal.
+template <typename Take>
+void for_each_octal(const Context& context, Take take) {
+    for_each_entry(context, [&](std::uint32_t section, std::uint32_t line) {
+        const KeyRow* const row = context.model.key_row(line);
+        const std::string_view text = context.document.value(line);
+        if (row == nullptr || !is_octal(text) || !holds_number(context, section, *row)) {
+            return;
+        }
+        take(line, text);
+    });
+}
+
+std::uint64_t as_decimal(std::string_view text) {
+    return eds::parse_number(text.substr(std::min(text.find_first_not_of('0'), text.size() - 1))).magnitude;
+}
+
+}  // namespace
+
+void check_octal_numbers(const Context& context) {
+    for_each_octal(context, [&](std::uint32_t line, std::string_view text) {
+        const std::uint64_t octal = eds::parse_number(text).magnitude;
+        if (as_decimal(text) != octal) {
+            context.reading.report(
+                rules::eds_octal, context.document.value_span(line),
+                fmt::format("{} begins with 0: it is octal, and means {}", text.substr(0, 30), octal),
+                fmt::format("write {} or 0x{:X}", octal, octal));
+        }
+    });
+}
+
+void check_leading_zeros(const Context& context) {
+    for_each_octal(context, [&](std::uint32_t line, std::string_view text) {
+        const std::uint64_t octal = eds::parse_number(text).magnitude;
+        if (as_decimal(text) == octal) {
+            context.reading.report(rules::eds_leading_zero, context.document.value_span(line),
+                                   fmt::format("{} begins with 0, as octal numbers do", text.substr(0, 30)),
+                                   fmt::format("write {}", octal));
+        }
+    });
+}
+
+void check_limits(const Context& context) {
+    for_each_part(context, [&](const Group&, const Part& part) {
+        if (part.variable == nullptr || !has_crossed_limits(*part.variable)) {
+            return;
+        }
+        context.reading.report(
+            rules::eds_limits, context.document.value_span(part.lines[ObjectKey::low_limit]),
+            fmt::format("LowLimit of {} is above its HighLimit", context.label(part)), "",
+            {{context.reading.location(context.document.value_span(part.lines[ObjectKey::high_limit])),
+              "the HighLimit"}});
+    });
+}
+
+void check_values_in_limits(const Context& context) {
+    for_each_part(context, [&](const Group&, const Part& part) {
+        const Variable* const variable = part.variable;
+        if (variable == nullptr || has_crossed_limits(*variable)) {
+            return;
+        }
+        for (const auto& [key, name, value] :
+             {std::tuple(ObjectKey::default_value, "DefaultValue",
+                         variable->no_default ? nullptr : &variable->default_value),
+              std::tuple(ObjectKey::parameter_value, "ParameterValue",
+                         variable->parameter_value ? &*variable->parameter_value : nullptr)}) {
+            if (value != nullptr && context.stated(part.lines[key]) && is_beyond(*variable, *value)) {
+                context.reading.report(
+                    rules::eds_value_limits, context.document.value_span(part.lines[key]),
+                    fmt::format("{} of {} lies outside its limits", name, context.label(part)));
+            }
+        }
+    });
+}
+
+void check_signed_values(const Context& context) {
+    for_each_part(context, [&](const Group&, const Part& part) {
+        if (part.variable == nullptr || dictionary::row_of(part.variable->type).kind != TypeKind::integer) {
+            return;
+        }
+        const unsigned bits = dictionary::row_of(part.variable->type).bits;
+        for (const ObjectKey key : value_keys) {
+            const auto number = context.number(part.lines[key]);
+            const std::uint64_t sign = std::uint64_t{1} << (bits - 1);
+            if (!number || (*number & sign) == 0 || (bits < 64 && *number >> bits != 0)) {
+                continue;
+            }
+            const std::string_view text = context.document.value(part.lines[key]);
+            context.reading.report(rules::eds_signed_value, context.document.value_span(part.lines[key]),
+                                   fmt::format("{} stands for a negative number of {}", text.substr(0, 30),
+                                               dictionary::row_of(part.variable->type).name),
+                                   fmt::format("write -{}", (~*number + 1) & (sign | (sign - 1))));
+        }
+    });
+}
+
+void check_mappable_access(const Context& context) {
+    for_each_part(context, [&](const Group&, const Part& part) {
+        if (part.variable != nullptr && part.variable->pdo_mapping && part.variable->access == Access::rw) {
+            context.reading.report(
+                rules::eds_mappable_rw, context.document.value_span(part.lines[ObjectKey::access_type]),
+                fmt::format("{} can be mapped, and rw does not say into which PDOs", context.label(part)),
+                "write rww for RPDOs, rwr for TPDOs; rw has both in mind");
+        }
+    });
+}
+
+void check_mappable_types(const Context& context) {
+    constexpr unsigned most_bits = 64;
+    for_each_part(context, [&](const Group&, const Part& part) {
+        if (part.variable == nullptr || !part.variable->pdo_mapping) {
+            return;
+        }
+        const TypeRow& type = dictionary::row_of(part.variable->type);
+        if (type.kind == TypeKind::domain || type.kind == TypeKind::structure || type.bits > most_bits) {
+            context.reading.report(
+                rules::eds_mappable_type, context.document.value_span(part.lines[ObjectKey::pdo_mapping]),
+                fmt::format("{} is {}, which fits into no PDO", context.label(part), type.name));
+        }
+    });
+}
+
+}  // namespace cgw::eds_check
