@@ -122,6 +122,8 @@ const Rule* const table[] = {
     &image_alignment,
     &image_room,
     &image_occupied,
+    &image_model,
+    &image_elsewhere,
     &eds_text,
     &eds_line,
     &eds_header,

@@ -23,8 +23,9 @@ std::size_t intact_size(std::span<const std::uint8_t> bytes);
 // to the largest image. Refused when nothing stands there.
 Outcome<Area> image_at(const FirmwareFile& file, const Target& target);
 
-// All places that begin like an image and may hold one, in the order of the file. Refuses more than 64 of
-// them.
+// All places that begin like an image and may hold one, in the order of the file. Of an image that is cut off
+// where the bytes end, what is there; the mere letters that an image begins with are none. Refuses more than
+// 64 places.
 Outcome<std::vector<Area>> find_images(const FirmwareFile& file);
 
 }  // namespace cgw::firmware_file
