@@ -75,7 +75,9 @@ FoundImages images_of_firmware(const Arguments& arguments, const std::string& pa
         return found;
     }
     for (const Area& area : *areas) {
-        found.images.push_back({place_text(path, area.address), {area.bytes.begin(), area.bytes.end()}, {}});
+        found.images.push_back({place_text(path, area.address),
+                                {area.bytes.begin(), area.bytes.end()},
+                                area.bytes.empty() ? "erased, all bytes are 0xFF or 0x00" : ""});
     }
     if (areas->empty()) {
         say(base::printable(path),

@@ -51,9 +51,7 @@ Outcome<Area> image_at(const FirmwareFile& file, const Target& target) {
         return refuse(diagnostic::rules::firmware_address,
                       fmt::format("the file has nothing at {}", address_text(area->address)));
     }
-    const std::span<const std::uint8_t> stated = image::stated_image(area->bytes);
-    area->bytes =
-        stated.empty() ? area->bytes.first(std::min(area->bytes.size(), image::maximum_size)) : stated;
+    area->bytes = image::image_in(area->bytes);
     return area;
 }
 

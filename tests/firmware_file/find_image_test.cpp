@@ -89,6 +89,8 @@ TEST(ImagesInFirmware, are_taken_from_a_section_or_an_address) {
         EXPECT_EQ(there->bytes.size(), image.size());
     }
     EXPECT_EQ(image_at(file, {"", 0x08000000})->bytes.size(), 0x1000U);
+    const FirmwareFile erased = hex_with(Memory(0x1000, base::Bytes(8192, 0xFF)));
+    EXPECT_TRUE(image_at(erased, {"", 0x1000})->bytes.empty());
     EXPECT_EQ(image_at(file, {"", 0x08001000}).error().message, "the file has nothing at 0x08001000");
     EXPECT_EQ(image_at(file, {".bss", 0}).error().rule, &diagnostic::rules::firmware_section);
 }
