@@ -122,6 +122,7 @@ const Rule* const table[] = {
     &image_alignment,
     &image_room,
     &image_occupied,
+    &image_refused,
     &image_model,
     &image_elsewhere,
     &eds_text,

@@ -148,6 +148,7 @@ CGW_RULE(firmware_address);
 CGW_RULE(image_alignment);
 CGW_RULE(image_room);
 CGW_RULE(image_occupied);
+CGW_RULE(image_refused);
 CGW_RULE(image_model);
 CGW_RULE(image_elsewhere);
 

@@ -166,8 +166,20 @@ const Rule image_occupied{
         ":04000000004800476D\n"
         ":00000001FF\n",
     .good = good_file};
-const Rule image_model{
+const Rule image_refused{
     .code = "E0712",
+    .name = "image-refused",
+    .level = Level::error,
+    .summary = "a configuration image passes every test that the gateway makes at its start",
+    .reference = "",
+    .why =
+        "A gateway does not run with a refused image, and nothing in it can be relied on. The number is the "
+        "one that firmware shows; docs/image-format.md lists them.",
+    .example = Example::none,
+    .bad = "",
+    .good = ""};
+const Rule image_model{
+    .code = "E0713",
     .name = "image-model",
     .level = Level::error,
     .summary = "an image that goes into a firmware has the configuration id of its model",
@@ -181,7 +193,7 @@ const Rule image_model{
     .bad = "",
     .good = ""};
 const Rule image_elsewhere{
-    .code = "E0713",
+    .code = "E0714",
     .name = "image-elsewhere",
     .level = Level::error,
     .summary = "a new place for an image is not chosen in a firmware that has an image already",

@@ -170,7 +170,7 @@ class Firmware(ImageVerb):
         into = ("image", "embed", "x.bin", "--into", name, "-o", "new.hex", "--address", "0x3a000")
         result = cgw(*into, directory=self.dir)
         self.assertEqual((result.returncode, result.stdout), (1, b""))
-        self.assertIn("E0713 image-elsewhere", result.stderr.decode())
+        self.assertIn("E0714 image-elsewhere", result.stderr.decode())
         self.assertIn("an image stands at 0x0003E000 already, configuration id", " ".join(result.stderr.decode().split()))
         self.assertFalse((self.dir / "new.hex").exists())
         self.assertEqual(cgw(*into, "--beside", directory=self.dir).returncode, 0)
@@ -185,7 +185,7 @@ class Firmware(ImageVerb):
         self.write(hex_of({0: b"code"}), "fw.hex")
         result = cgw("image", "embed", "x.bin", "--into", "fw.hex", "-o", "new.hex", "--address", "0x8000", directory=self.dir)
         self.assertEqual((result.returncode, result.stdout), (1, b""))
-        self.assertIn(b"E0712 image-model", result.stderr)
+        self.assertIn(b"E0713 image-model", result.stderr)
 
     def test_what_cannot_be_meant_is_a_usage_error(self):
         for said, arguments in ((b"standard input can be read only once", ("diff", "-", "-")),
