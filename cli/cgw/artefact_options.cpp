@@ -159,6 +159,9 @@ std::uint64_t address_of(const Arguments& arguments, std::string_view key) {
     const std::string_view number = std::string_view(text).substr(hexadecimal ? 2 : 0);
     const std::string_view digits = hexadecimal ? base::hexadecimal_digits : base::digits;
     const auto value = base::parse_integer(number, hexadecimal ? 16 : 10);
+    if (!number.empty() && base::consists_of(number, digits) && !value) {
+        throw UsageError(fmt::format("{} {}: the address is too large", key, text));
+    }
     if (!base::consists_of(number, digits) || !value) {
         throw UsageError(fmt::format("{} {}: an address is a number such as 0x08010000", key, text));
     }

@@ -24,6 +24,12 @@ firmware_file::Target target_of(const Arguments& arguments) {
     return target;
 }
 
+std::optional<firmware_file::Target> place_of(const Arguments& arguments) {
+    const firmware_file::Target target = target_of(arguments);
+    return arguments.given("--section") || arguments.given("--address") ? std::optional(target)
+                                                                        : std::nullopt;
+}
+
 int report_refusal(const Arguments& arguments, const std::string& path, const base::Bytes& content,
                    diagnostic::Diagnostic finding) {
     finding.where.path = path;

@@ -1,6 +1,7 @@
 // Firmware files as the verbs of `cgw image` take them.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "base/bytes.hpp"
@@ -19,6 +20,9 @@ inline constexpr Option firmware_address_option = {
 
 // Of the two options above; throws UsageError when both are given.
 firmware_file::Target target_of(const Arguments& arguments);
+
+// The same; nullopt when neither is given.
+std::optional<firmware_file::Target> place_of(const Arguments& arguments);
 
 // Prints the finding about a file on stderr, with the line it speaks of; returns exit_findings.
 int report_refusal(const Arguments& arguments, const std::string& path, const base::Bytes& content,

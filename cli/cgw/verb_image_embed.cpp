@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <optional>
 
+#include "authoring/from_image.hpp"
 #include "base/files.hpp"
 #include "base/utf8.hpp"
 #include "cli/cgw/artefact_options.hpp"
@@ -95,8 +96,16 @@ base::Result<void> write(const std::string& firmware, const std::string& output,
     return {};
 }
 
+tl::unexpected<diagnostic::Diagnostic> other_model() {
+    return firmware_file::refuse(diagnostic::rules::image_model,
+                                 "the configuration id is not that of the model in the image", {},
+                                 "make the image again from its parameter file");
+}
+
 int image_embed(const Arguments& arguments) {
-    refuse_dash(arguments, "--into");
+    if (arguments.value("--into") == "-") {
+        throw UsageError("--into -: a firmware file cannot come from standard input");
+    }
     refuse_dash(arguments, "--output");
     const std::string firmware = arguments.value("--into");
     const std::string image_path = arguments.value("IMAGE");
@@ -107,8 +116,9 @@ int image_embed(const Arguments& arguments) {
     }
     const firmware_file::EmbedOptions options{
         target_of(arguments), alignment_of(arguments),
-        arguments.value("--fill") == zero ? std::uint8_t{0} : std::uint8_t{0xFF}};
-    const LoadedImage loaded = load_image(image_path);
+        arguments.value("--fill") == zero ? std::uint8_t{0} : std::uint8_t{0xFF},
+        arguments.given("--beside")};
+    const LoadedImage loaded = load_image(find_one_in_file(arguments, image_path, std::nullopt));
     if (loaded.exit_code != exit_fine) {
         return loaded.exit_code;
     }
@@ -116,6 +126,9 @@ int image_embed(const Arguments& arguments) {
     if (!read) {
         print_error(read.error().message);
         return exit_environment;
+    }
+    if (!authoring::model_fits(loaded.image)) {
+        return report_refusal(arguments, image_path, {}, other_model().value());
     }
     const base::Bytes content = base::to_bytes(*read);
     const firmware_file::Outcome<Embedded> embedded = embed(content, loaded.image, options);
@@ -131,7 +144,7 @@ int image_embed(const Arguments& arguments) {
 
 constexpr Option embed_options[] = {
     {.names = "IMAGE",
-     .summary = "configuration image; - is standard input",
+     .summary = "image, or a file with one in it; - is standard input",
      .required = true,
      .completes = Completes::files},
     {.names = "--into",
@@ -152,6 +165,7 @@ constexpr Option embed_options[] = {
      .summary = "behind the image; what a free area holds",
      .default_value = erased,
      .words = fill_words},
+    {.names = "--beside", .summary = "a new place, though an image stands elsewhere in the file"},
     color_option,
 };
 

@@ -50,6 +50,9 @@ struct Comparison {
     std::vector<Difference> consequences;           // buses, PDOs, words, switches and sensors
     std::vector<Difference> otherwise;              // title, identity, declarations, listed nodes
 
+    // False: one of the sides does not tell all its parameters, as images without a model.
+    bool all_parameters_known = true;
+
     bool same() const {
         return parameters.empty() && not_in_table.empty() && consequences.empty() && otherwise.empty();
     }

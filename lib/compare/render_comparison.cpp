@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "base/json.hpp"
 #include "base/utf8.hpp"
 #include "compare/compare.hpp"
@@ -117,6 +119,26 @@ void differences_section(std::string& text, std::string_view heading,
     }
 }
 
+// What is the same; "" where parameters differ and all are known.
+std::string verdict(const Comparison& comparison) {
+    const bool all = comparison.not_printed.empty() && comparison.not_in_table.empty();
+    const bool works_alike = comparison.consequences.empty() &&
+                             std::none_of(comparison.otherwise.begin(), comparison.otherwise.end(),
+                                          [](const Difference& one) { return one.kind == "image-section"; });
+    if (comparison.same()) {
+        return all ? "Nothing differs.\n" : "All parameters that the tables print are the same.\n";
+    }
+    if (!comparison.all_parameters_known) {
+        return fmt::format("{}Without the model of both configurations not all parameters are known.\n",
+                           !comparison.parameters.empty() ? ""
+                           : works_alike                  ? "What a gateway needs is the same.\n"
+                                                          : "No parameter is known to differ.\n");
+    }
+    return comparison.parameters.empty()
+               ? fmt::format("All parameters{} are the same.\n", all ? "" : " that the tables print")
+               : "";
+}
+
 std::string side_text(char letter, const SideName& side) {
     const std::string id =
         side.configuration_id.empty() ? "" : fmt::format("\n   configuration {}", side.configuration_id);
@@ -170,11 +192,8 @@ void differences_json(base::JsonWriter& json, std::string_view key,
 
 std::string render_text(const Comparison& comparison, const SideName& a, const SideName& b) {
     std::string text = side_text('A', a) + side_text('B', b);
-    const bool all = comparison.not_printed.empty() && comparison.not_in_table.empty();
-    if (comparison.same()) {
-        text += all ? "\nNothing differs.\n" : "\nAll parameters that the tables print are the same.\n";
-    } else if (comparison.parameters.empty()) {
-        text += fmt::format("\nAll parameters{} are the same.\n", all ? "" : " that the tables print");
+    if (const std::string same = verdict(comparison); !same.empty()) {
+        text += "\n" + same;
     }
     parameters_section(text, "Parameters", comparison.parameters, true);
     parameters_section(text, "Set in A, not in the tables", comparison.not_in_table, false);
@@ -189,6 +208,8 @@ std::string render_json(const Comparison& comparison, const SideName& a, const S
     json.begin_object();
     json.key("format_version").integer(format_version);
     json.key("same").boolean(comparison.same());
+    json.key("all_parameters_known")
+        .boolean(comparison.all_parameters_known && comparison.not_printed.empty());
     side_json(json, "a", a);
     side_json(json, "b", b);
     parameters_json(json, "parameters", comparison.parameters, true);

@@ -125,6 +125,8 @@ const Rule* const table[] = {
     &image_room,
     &image_occupied,
     &image_refused,
+    &image_model,
+    &image_elsewhere,
     &eds_text,
     &eds_line,
     &eds_header,

@@ -152,6 +152,8 @@ CGW_RULE(image_alignment);
 CGW_RULE(image_room);
 CGW_RULE(image_occupied);
 CGW_RULE(image_refused);
+CGW_RULE(image_model);
+CGW_RULE(image_elsewhere);
 
 // E08: EDS and DCF, as they are read
 CGW_RULE(eds_text);

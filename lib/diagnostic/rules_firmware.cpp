@@ -178,5 +178,32 @@ const Rule image_refused{
     .example = Example::none,
     .bad = "",
     .good = ""};
+const Rule image_model{
+    .code = "E0713",
+    .name = "image-model",
+    .level = Level::error,
+    .summary = "an image that goes into a firmware has the configuration id of its model",
+    .reference = "",
+    .why =
+        "The configuration id is the SHA-256 of the model in the image. Where it is not, the image was "
+        "changed by "
+        "other means than cgw: what the gateway will do and what the plant's papers say may be two things. A "
+        "gateway does not look, so nobody would notice later.",
+    .example = Example::none,
+    .bad = "",
+    .good = ""};
+const Rule image_elsewhere{
+    .code = "E0714",
+    .name = "image-elsewhere",
+    .level = Level::error,
+    .summary = "a new place for an image is not chosen in a firmware that has an image already",
+    .reference = "",
+    .why =
+        "The program looks in one place. With a mistyped address the firmware would hold two images, and the "
+        "device would go on with the earlier one. Where a firmware is to have several, for two gateways or "
+        "two regions, --beside says so.",
+    .example = Example::none,
+    .bad = "",
+    .good = ""};
 
 }  // namespace cgw::diagnostic::rules

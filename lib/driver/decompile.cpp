@@ -3,39 +3,38 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <stdexcept>
 
 #include "authoring/from_image.hpp"
 #include "base/sha256.hpp"
 #include "base/wrap.hpp"
+#include "driver/image_parts.hpp"
 #include "driver/plant.hpp"
 #include "image_writer/image_writer.hpp"
-#include "inspect/fields.hpp"
 
 namespace cgw::driver {
 namespace {
 
 constexpr std::size_t comment_width = 90;
-constexpr std::string_view id_part = "configuration id";
-
 bool same_bytes(std::span<const std::uint8_t> a, std::span<const std::uint8_t> b) {
     return std::equal(a.begin(), a.end(), b.begin(), b.end());
 }
 
-std::vector<std::string> differing_parts(const image::Image& a, const image::Image& b) {
-    std::vector<std::string> parts;
-    if (!same_bytes(a.configuration_id(), b.configuration_id())) {
-        parts.emplace_back(id_part);
+// What a gateway does not look at.
+bool is_harmless(const PartDifference& part) {
+    constexpr std::string_view for_people[] = {"labels", "strings", "model"};
+    switch (part.kind) {
+        case PartKind::version:
+        case PartKind::format:
+        case PartKind::configuration_id:
+            return true;
+        case PartKind::section:
+            return std::find(std::begin(for_people), std::end(for_people), part.name) != std::end(for_people);
+        case PartKind::header:
+        case PartKind::later_section:
+            break;
     }
-    for (const inspect::Record& record : inspect::all_records()) {
-        if (record.is_section()) {
-            const image::Records& of_a = a.records(record.section);
-            const image::Records& of_b = b.records(record.section);
-            if (!same_bytes({of_a.data, of_a.size}, {of_b.data, of_b.size})) {
-                parts.emplace_back(record.name);
-            }
-        }
-    }
-    return parts;
+    return false;
 }
 
 // The image of the file, with labels if the one it came from has them.
@@ -55,15 +54,24 @@ void compare_with(const image::Image& image, DecompiledImage& decompiled) {
         return;
     }
     decompiled.new_id = short_configuration_id(decompiled.file.settings);
-    const bool labels = image.records(image::SectionId::labels).data != nullptr;
-    const base::Bytes bytes = compile(decompiled.file, labels);
+    const base::Bytes bytes = compile(decompiled.file, decompiled.labels);
     image::Image again;
     if (image::Image::open(bytes, again) != image::Status::ok) {
         decompiled.differing.emplace_back("everything");
         return;
     }
-    decompiled.differing = differing_parts(image, again);
-    decompiled.other_version = !same_bytes(image.bytes(), bytes) && decompiled.differing.empty();
+    decompiled.harmless = true;
+    for (const PartDifference& part : differing_parts(image, again)) {
+        decompiled.harmless = decompiled.harmless && is_harmless(part);
+        if (part.kind == PartKind::version) {
+            decompiled.other_version = true;
+        } else {
+            decompiled.differing.push_back(part.name);
+        }
+    }
+    if (decompiled.differing.empty() && !decompiled.other_version && !same_bytes(image.bytes(), bytes)) {
+        throw std::logic_error("two images differ in no part that is known");
+    }
 }
 
 void add_remark(std::vector<std::string>& remarks, std::string_view text) {
@@ -76,17 +84,17 @@ std::vector<std::string> remarks_of(const image::Image& image, const DecompiledI
     const std::string id = base::short_id(image.configuration_id());
     add_remark(remarks, fmt::format("From the image of configuration {}, by cgw image decompile.", id));
     if (decompiled.identical()) {
-        add_remark(remarks, decompiled.other_version
-                                ? "It compiles to the identical image but for the version of cgw in it."
-                                : "It compiles to the identical image.");
+        add_remark(remarks, fmt::format("{} to the identical image{}.", decompiled.compiles(),
+                                        decompiled.other_version ? " but for the version of cgw in it" : ""));
     } else if (decompiled.file.valid()) {
-        add_remark(remarks, fmt::format("It compiles to another image, of configuration {}; different: {}.",
-                                        decompiled.new_id, fmt::join(decompiled.differing, ", ")));
+        add_remark(remarks, fmt::format("{} to another image, of configuration {}; different: {}.",
+                                        decompiled.compiles(), decompiled.new_id,
+                                        fmt::join(decompiled.differing, ", ")));
     } else {
         add_remark(remarks, "It is not valid as it stands; cgw check tells why.");
     }
     if (!decompiled.lost.empty()) {
-        add_remark(remarks, "What the image does not hold, and is lost:");
+        add_remark(remarks, "What is lost:");
         for (const std::string& lost : decompiled.lost) {
             add_remark(remarks, "- " + lost);
         }
@@ -98,10 +106,11 @@ std::vector<std::string> remarks_of(const image::Image& image, const DecompiledI
 }  // namespace
 
 bool DecompiledImage::works_alike() const {
-    constexpr std::string_view harmless[] = {id_part, "labels", "strings", "model"};
-    return file.valid() && std::all_of(differing.begin(), differing.end(), [&](const std::string& part) {
-               return std::find(std::begin(harmless), std::end(harmless), part) != std::end(harmless);
-           });
+    return file.valid() && harmless;
+}
+
+std::string_view DecompiledImage::compiles() const {
+    return labels ? "It compiles" : "With --no-labels it compiles";
 }
 
 DecompiledImage decompile(const image::Image& image, const std::string& path) {
@@ -109,6 +118,9 @@ DecompiledImage decompile(const image::Image& image, const std::string& path) {
     authoring::FileFromImage made = authoring::file_from_image(image, {});
     decompiled.exact = made.has_model;
     decompiled.lost = std::move(made.lost);
+    const std::vector<std::string> later = parts_of_a_later_minor(image);
+    decompiled.lost.insert(decompiled.lost.end(), later.begin(), later.end());
+    decompiled.labels = image.records(image::SectionId::labels).data != nullptr;
     decompiled.file = check_text(path, made.text);
     compare_with(image, decompiled);
     // Comments change nothing of what the text means, only the lines of findings.

@@ -12,21 +12,23 @@ namespace rules = diagnostic::rules;
 // Offsets of fields in the ELF header, a program header and a section header (System V ABI, chapters 4 and
 // 5).
 struct Layout {
-    std::size_t word;  // bytes of an address or offset
+    std::size_t word;           // bytes of an address or offset
+    std::uint64_t address_end;  // one more than the highest address
     std::size_t header_size, program_offset, section_offset, program_entry, program_count, section_entry,
         section_count, names_index;
     std::size_t program_size, p_offset, p_address, p_file_size, p_memory_size, p_flags;
     std::size_t section_size, s_flags, s_address, s_offset, s_size;
 };
-constexpr Layout layout_32{4, 52, 28, 32, 42, 44, 46, 48, 50, 32, 4, 8, 16, 20, 24, 40, 8, 12, 16, 20};
-constexpr Layout layout_64{8, 64, 32, 40, 54, 56, 58, 60, 62, 56, 8, 16, 32, 40, 4, 64, 8, 16, 24, 32};
+constexpr Layout layout_32{
+    4, std::uint64_t{1} << 32U, 52, 28, 32, 42, 44, 46, 48, 50, 32, 4, 8, 16, 20, 24, 40, 8, 12, 16, 20};
+constexpr Layout layout_64{
+    8, std::uint64_t{1} << 63U, 64, 32, 40, 54, 56, 58, 60, 62, 56, 8, 16, 32, 40, 4, 64, 8, 16, 24, 32};
 
 constexpr std::size_t class_at = 4, byte_order_at = 5, version_at = 6, type_at = 16, identification_size = 16;
 constexpr std::uint64_t extended_programs = 0xFFFF, extended_index = 0xFFFF;
 constexpr std::uint32_t executable = 2, shared = 3;  // e_type
 constexpr std::uint32_t loaded = 1;                  // p_type PT_LOAD
 constexpr std::uint32_t segment_writable = 2;        // p_flags
-constexpr std::uint64_t address_end = std::uint64_t{1} << 63U;
 constexpr std::size_t longest_name = 1024;  // nobody has longer ones, and a damaged file could have huge ones
 
 bool inside(std::uint64_t offset, std::uint64_t size, std::uint64_t total) {
@@ -129,7 +131,8 @@ class Reader {
             if (!inside(segment.offset, segment.size, file_.size())) {
                 return damaged(at, fmt::format("segment {} lies outside the file", i));
             }
-            if (segment.size > segment.memory || !inside(segment.address, segment.memory, address_end)) {
+            if (segment.size > segment.memory ||
+                !inside(segment.address, segment.memory, layout_->address_end)) {
                 return damaged(at, fmt::format("segment {} does not fit its addresses", i));
             }
             bytes += segment.size;
@@ -171,7 +174,7 @@ class Reader {
             if (section.has_contents() && !inside(section.offset, section.size, file_.size())) {
                 return damaged(at, fmt::format("section {} lies outside the file", i));
             }
-            if (!inside(section.address, section.size, address_end)) {
+            if (!inside(section.address, section.size, layout_->address_end)) {
                 return damaged(at, fmt::format("section {} does not fit its addresses", i));
             }
             std::span<const std::uint8_t> text = file_.subspan(names.offset, names.size);

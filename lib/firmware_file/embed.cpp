@@ -103,6 +103,28 @@ Outcome<Replaced> replaceable(const FirmwareFile& file, const Room& room, const 
     return covers ? Replaced::reserved : Replaced::nothing;
 }
 
+// A new place beside an image that the program may go on using is hardly meant.
+Outcome<void> alone(const FirmwareFile& file, const Room& room) {
+    const Outcome<std::vector<Area>> images = find_images(file);
+    if (!images) {
+        return refuse(images.error().rule == nullptr ? rules::firmware_address : *images.error().rule,
+                      images.error().message, {}, "--beside does not look for other images");
+    }
+    for (const Area& image : *images) {
+        const bool here =
+            image.address < room.present.address + room.size && room.present.address < image.end();
+        if (!here && intact_size(image.bytes) != 0) {
+            return refuse(rules::image_elsewhere,
+                          fmt::format("an image stands at {} already, configuration id {}, and none at {}",
+                                      address_text(image.address),
+                                      base::short_id(image.bytes.subspan(image::header::configuration_id)),
+                                      address_text(room.present.address)),
+                          {}, "replace that one, or say --beside where the firmware is to have both");
+        }
+    }
+    return {};
+}
+
 // Of a file that was read: what it says beside the bytes at their addresses.
 std::vector<std::string> other_records(Kind kind, std::span<const std::uint8_t> file) {
     switch (kind) {
@@ -163,6 +185,11 @@ Outcome<Embedded> embed(std::span<const std::uint8_t> firmware, const image::Ima
     const Outcome<Replaced> replaced = replaceable(*file, *room, options);
     if (!replaced) {
         return tl::unexpected(replaced.error());
+    }
+    if (*replaced != Replaced::image && !options.beside) {
+        if (const Outcome<void> only = alone(*file, *room); !only) {
+            return tl::unexpected(only.error());
+        }
     }
     Embedded embedded{{}, address, room->size, *replaced, {}};
     if (room->earlier != 0) {

@@ -12,7 +12,8 @@ struct EmbedOptions {
     Target target;
     unsigned alignment = 8;  // bytes, a power of two
     std::uint8_t fill =
-        0xFF;  // behind the image; at an address also what an area is filled with that is free
+        0xFF;             // behind the image; at an address also what an area is filled with that is free
+    bool beside = false;  // a new place may be taken although an image stands elsewhere
 };
 
 enum class Replaced {
@@ -31,7 +32,8 @@ struct Embedded {
 
 // The new file was read again: the image is in it and valid, and nothing else has changed (std::logic_error
 // otherwise). Into a section the whole section is written; it must hold an earlier image, or 0xFF or 0x00
-// throughout. At an address only an earlier image, bytes of the value `fill`, or nothing may stand.
+// throughout. At an address only an earlier image, bytes of the value `fill`, or nothing may stand. Where no
+// earlier image is replaced, none may stand elsewhere in the file unless `beside`.
 Outcome<Embedded> embed(std::span<const std::uint8_t> firmware, const image::Image& image,
                         const EmbedOptions& options);
 

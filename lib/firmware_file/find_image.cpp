@@ -14,6 +14,23 @@ namespace {
 
 constexpr std::size_t most_places = 64;  // each costs a CRC-32 over up to 64 KiB
 
+// The bytes of an image that ends before it says. Programs that read images hold the four letters too, so the
+// whole header must make sense, as far as every version of the format has it.
+std::span<const std::uint8_t> cut_image(std::span<const std::uint8_t> bytes) {
+    namespace header = image::header;
+    if (bytes.size() < header::size) {
+        return {};
+    }
+    const std::size_t header_size = wire::load_u16(&bytes[header::header_size]);
+    const std::size_t directory =
+        wire::load_u16(&bytes[header::section_count]) * image::directory::entry_size;
+    const std::size_t total = wire::load_u32(&bytes[header::total_size]);
+    const bool sensible = wire::load_u16(&bytes[header::format_major]) != 0 && header_size >= header::size &&
+                          header_size % 4 == 0 && directory != 0 && total % 4 == 0 &&
+                          total <= image::maximum_size && header_size + directory + image::crc_size <= total;
+    return sensible && total > bytes.size() ? bytes : std::span<const std::uint8_t>{};
+}
+
 }  // namespace
 
 std::size_t intact_size(std::span<const std::uint8_t> bytes) {
@@ -34,9 +51,7 @@ Outcome<Area> image_at(const FirmwareFile& file, const Target& target) {
         return refuse(diagnostic::rules::firmware_address,
                       fmt::format("the file has nothing at {}", address_text(area->address)));
     }
-    const std::span<const std::uint8_t> stated = image::stated_image(area->bytes);
-    area->bytes =
-        stated.empty() ? area->bytes.first(std::min(area->bytes.size(), image::maximum_size)) : stated;
+    area->bytes = image::image_in(area->bytes);
     return area;
 }
 
@@ -52,13 +67,14 @@ Outcome<std::vector<Area>> find_images(const FirmwareFile& file) {
                 break;
             }
             const std::span<const std::uint8_t> stated = image::stated_image(rest);
-            if (!stated.empty()) {
+            const std::span<const std::uint8_t> there = stated.empty() ? cut_image(rest) : stated;
+            if (!there.empty()) {
                 if (found.size() == most_places) {
                     return refuse(diagnostic::rules::firmware_address,
                                   fmt::format("more than {} places look like an image", most_places), {},
                                   "say where with --address");
                 }
-                found.push_back({area.end() - rest.size(), stated});
+                found.push_back({area.end() - rest.size(), there});
             }
             const std::size_t intact = intact_size(rest);
             rest = rest.subspan(intact != 0 ? intact : sizeof image::magic);

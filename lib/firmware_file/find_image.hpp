@@ -19,12 +19,14 @@ struct Target {
 // read; 0: no image, or a damaged one.
 std::size_t intact_size(std::span<const std::uint8_t> bytes);
 
-// The image there: as many bytes as it says it has, when it says nothing sensible as many as stand there, up
-// to the largest image. Refused when nothing stands there.
+// What a gateway would judge there, as image::image_in() has it: as many bytes as the image says it has, none
+// where the area is erased, else what stands there, up to the largest image. Refused when nothing stands
+// there.
 Outcome<Area> image_at(const FirmwareFile& file, const Target& target);
 
-// All places that begin like an image and may hold one, in the order of the file. Refuses more than 64 of
-// them.
+// All places that begin like an image and may hold one, in the order of the file. Of an image that is cut off
+// where the bytes end, what is there; the mere letters that an image begins with are none. Refuses more than
+// 64 places.
 Outcome<std::vector<Area>> find_images(const FirmwareFile& file);
 
 }  // namespace cgw::firmware_file

@@ -24,6 +24,38 @@ def signed(image):
     return bytes(image[:-4]) + struct.pack("<I", zlib.crc32(bytes(image[:-4])))
 
 
+def split(image):
+    """{section id: (record size, bytes)}"""
+    header, count = struct.unpack_from("<HH", image, 8)
+    entries = (struct.unpack_from("<HHII", image, header + 12 * i) for i in range(count))
+    return {number: (record, image[offset:offset + size]) for number, record, offset, size in entries}
+
+
+def join(header, parts, minor=0):
+    directory, content, start = b"", b"", len(header) + 12 * len(parts)
+    for number, (record, part) in parts.items():
+        directory += struct.pack("<HHII", number, record, start + len(content), len(part))
+        content += part + bytes(-len(part) % 4)
+    whole = bytearray(header + directory + content)
+    struct.pack_into("<HHH", whole, 6, minor, len(header), len(parts))
+    struct.pack_into("<I", whole, 12, len(whole) + 4)
+    return signed(whole + bytes(4))
+
+
+def hex_of(blocks):
+    """Intel HEX of {address: bytes}."""
+    def record(address, kind, data):
+        body = struct.pack(">BHB", len(data), address, kind) + data
+        return f":{(body + bytes([-sum(body) & 0xFF])).hex().upper()}\n"
+
+    lines = []
+    for start, content in blocks.items():
+        for at in range(start, start + len(content), 16):
+            lines.append(record(0, 4, struct.pack(">H", at >> 16)))
+            lines.append(record(at & 0xFFFF, 0, content[at - start:at - start + 16]))
+    return "".join([*lines, ":00000001FF\n"]).encode()
+
+
 class ImageVerb(unittest.TestCase):
     def setUp(self):
         self.dir = pathlib.Path(tempfile.mkdtemp(prefix="cgw-image-"))
@@ -40,8 +72,8 @@ class ImageVerb(unittest.TestCase):
     def bad_images(self):
         """What no gateway takes, with the status number."""
         image = self.image
-        return {b"": 1, b"x" * 67: 1, b"\xff" * 70000: 2, GENSET.read_bytes(): 3, b"\0" * 100: 3,
-                signed(image[:4] + b"\2" + image[5:]): 4, image[:-5]: 6, image + b"\0": 6,
+        return {b"": 1, b"x" * 67: 1, b"\xff" * 70000: 1, b"\0" * 100: 1, GENSET.read_bytes(): 3, b"x" * 70000: 3,
+                signed(image[:4] + b"\2" + image[5:]): 4, image[:-5]: 6, image[:12] + b"\0\0\1\0" + image[16:]: 6,
                 image[:300] + b"\x55" + image[301:]: 7, signed(image[:64] + b"\7" + image[65:]): 8}
 
     def refused_by(self, *verb):
@@ -63,6 +95,108 @@ class ImageVerb(unittest.TestCase):
         self.assertIn(b"standard output", result.stderr)
 
 
+ALONE = ("verify", "inspect", "annotate", "decompile")  # the verbs that take one image
+
+
+class Region(ImageVerb):
+    """What a programmer read out of a device: the image, and whatever stands behind it."""
+
+    def all_say(self, file, code, *said, options=()):
+        for verb in ALONE:
+            result = cgw("image", verb, file, *options, directory=self.dir)
+            self.assertEqual(result.returncode, code, (verb, result.stderr))
+            for text in said:
+                self.assertIn(text, result.stderr.decode(), verb)
+
+    def test_the_image_is_judged_and_the_rest_told(self):
+        for rest, said in ((b"\xff" * 16000, "16000 bytes behind the image, all 0xFF"),
+                           (bytes(70000), "70000 bytes behind the image, all 0x00"),
+                           (b"other", "5 bytes behind the image are not judged; they are no filling")):
+            self.write(self.image + rest, "region.bin")
+            self.all_say("region.bin", 0, f"region.bin: {said}\n")
+            self.assertEqual(cgw("image", "decompile", "region.bin", directory=self.dir).stdout,
+                             cgw("image", "decompile", "x.bin", directory=self.dir).stdout)
+        result = cgw("image", "diff", "x.bin", "region.bin", directory=self.dir)
+        self.assertEqual(result.returncode, 0)
+        self.assertIn(b"byte for byte the same", result.stdout)
+
+    def test_an_erased_region_is_status_1_as_in_the_firmware(self):
+        self.write(b"\xff" * 8192, "region.bin")
+        self.all_say("region.bin", 1, "region.bin: refused: erased, all 8192 bytes are 0xFF (status 1)\n")
+
+    def test_a_damaged_image_in_a_region_keeps_its_status(self):
+        self.write(self.image[:300] + b"\x55" + self.image[301:] + b"\xff" * 9000, "region.bin")
+        self.all_say("region.bin", 1, "region.bin: refused: the CRC-32 does not match (status 7)\n")
+
+
+class Firmware(ImageVerb):
+    """Images in firmware files, for every verb that reads one."""
+
+    def hex_file(self, *images, name="fw.hex"):
+        self.write(hex_of(dict(images)), name)
+        return name
+
+    def test_the_only_image_is_taken(self):
+        name = self.hex_file((0x8000, self.image))
+        for verb in ALONE:
+            plain, inside = (cgw("image", verb, file, directory=self.dir) for file in ("x.bin", name))
+            self.assertEqual((inside.returncode, inside.stderr), (0, b""), verb)
+            self.assertEqual(inside.stdout.replace(b"fw.hex at 0x00008000", b"x.bin"), plain.stdout, verb)
+        result = cgw("image", "diff", "x.bin", name, "--address", "0x8000", directory=self.dir)
+        self.assertEqual((result.returncode, result.stderr), (0, b""))
+        result = cgw("image", "diff", "x.bin", "x.bin", "--address", "0x8000", directory=self.dir)
+        self.assertEqual(result.returncode, 2)
+
+    def test_of_several_one_must_be_named(self):
+        name = self.hex_file((0x8000, self.image), (0x20000, self.image))
+        self.assertEqual(cgw("image", "verify", name, directory=self.dir).returncode, 0)
+        for verb in ALONE[1:]:
+            result = cgw("image", verb, name, directory=self.dir)
+            self.assertEqual((result.returncode, result.stdout), (1, b""), verb)
+            self.assertIn(b"fw.hex at 0x00020000: an image\nfw.hex: refused: 2 images are in it; say with --section or "
+                          b"--address which one is meant\n", result.stderr)
+            result = cgw("image", verb, name, "--address", "0x20000", directory=self.dir)
+            self.assertEqual((result.returncode, result.stderr), (0, b""), verb)
+
+    def test_a_cut_image_beside_a_sound_one_is_refused(self):
+        name = self.hex_file((0x8000, self.image), (0x20000, self.image[:-40]))
+        result = cgw("image", "verify", name, directory=self.dir)
+        self.assertEqual(result.returncode, 1)
+        self.assertIn(b"fw.hex at 0x00008000: valid", result.stdout)
+        self.assertRegex(result.stderr.decode(), r"^fw\.hex at 0x00020000: refused: .* \(status 6\)\n$")
+
+    def test_a_mistyped_address_is_refused_and_beside_allows_it(self):
+        name = self.hex_file((0x3E000, self.image))
+        into = ("image", "embed", "x.bin", "--into", name, "-o", "new.hex", "--address", "0x3a000")
+        result = cgw(*into, directory=self.dir)
+        self.assertEqual((result.returncode, result.stdout), (1, b""))
+        self.assertIn("E0714 image-elsewhere", result.stderr.decode())
+        self.assertIn("an image stands at 0x0003E000 already, configuration id", " ".join(result.stderr.decode().split()))
+        self.assertFalse((self.dir / "new.hex").exists())
+        self.assertEqual(cgw(*into, "--beside", directory=self.dir).returncode, 0)
+        self.assertEqual(cgw("image", "verify", "new.hex", directory=self.dir).stdout.count(b"valid"), 2)
+
+    def test_an_image_of_another_model_is_warned_about_and_not_embedded(self):
+        self.write(signed(self.image[:16] + b"\0" + self.image[17:]))
+        for verb in ALONE[:2]:
+            result = cgw("image", verb, "x.bin", directory=self.dir)
+            self.assertEqual(result.returncode, 0, verb)
+            self.assertRegex(result.stderr.decode(), "^x.bin: warning: the configuration id is not that of the model")
+        self.write(hex_of({0: b"code"}), "fw.hex")
+        result = cgw("image", "embed", "x.bin", "--into", "fw.hex", "-o", "new.hex", "--address", "0x8000", directory=self.dir)
+        self.assertEqual((result.returncode, result.stdout), (1, b""))
+        self.assertIn(b"E0713 image-model", result.stderr)
+
+    def test_what_cannot_be_meant_is_a_usage_error(self):
+        for said, arguments in ((b"standard input can be read only once", ("diff", "-", "-")),
+                                (b"a firmware file cannot come from standard input",
+                                 ("embed", "x.bin", "--into", "-", "--in-place", "--address", "0")),
+                                (b"the address is too large", ("verify", "x.bin", "--address", "0x" + "F" * 20))):
+            result = cgw("image", *arguments, directory=self.dir)
+            self.assertEqual((result.returncode, result.stdout), (2, b""), arguments)
+            self.assertIn(said, result.stderr)
+
+
 class Annotate(ImageVerb):
     def test_tells_a_sound_image_in_80_columns(self):
         result = cgw("image", "annotate", self.path.name, directory=self.dir)
@@ -82,14 +216,9 @@ class Annotate(ImageVerb):
 
     def test_refused_images_are_told_and_exit_1(self):
         for status, result in self.refused_by("image", "annotate"):
-            if status == 2:
-                self.assertEqual(result.stdout, b"")
-            else:
-                self.assertIn(b"\n!", result.stdout, status)
+            self.assertIn(b"\n!", result.stdout, status)
         for status, result in self.refused_by("image", "annotate", "--json"):
-            if status != 2:
-                document = json.loads(result.stdout)
-                self.assertEqual(document["refusal"]["status"], status)
+            self.assertEqual(json.loads(result.stdout)["refusal"]["status"], status)
 
     def test_a_wrong_crc_does_not_hide_what_else_is_wrong(self):
         self.write(self.image[:0xFC] + b"\xc8" + self.image[0xFD:])
@@ -123,9 +252,36 @@ class Decompile(ImageVerb):
         self.assertEqual(result.returncode, 0)
         lines = result.stderr.decode().splitlines()
         self.assertIn("x.bin: lost: title, and names, units and ranges of what was declared", lines)
-        self.assertRegex(lines[-1], r"^x\.bin: the file compiles to another image, of configuration [0-9a-f]{16}; "
-                                    r"different: configuration id$")
-        self.assertIn("# What the image does not hold, and is lost:\n", result.stdout.decode())
+        self.assertRegex(lines[-1], r"^x\.bin: the file compiles with --no-labels to another image, of configuration "
+                                    r"[0-9a-f]{16}; different: configuration id$")
+        self.assertIn("# What is lost:\n", result.stdout.decode())
+
+    def test_without_labels_only_no_labels_gives_the_identical_image(self):
+        minimal, file = SAMPLES / "minimal.toml", self.dir / "a.toml"
+        cgw("emit", "image", minimal, "--no-labels", "-o", self.path)
+        result = cgw("image", "decompile", "x.bin", "-o", file, directory=self.dir)
+        self.assertEqual(result.returncode, 0)
+        self.assertTrue(result.stderr.endswith(b"x.bin: the file compiles with --no-labels to the identical image\n"),
+                        result.stderr)
+        self.assertIn("# With --no-labels it compiles to the identical image.\n", file.read_text())
+        cgw("emit", "image", file, "--no-labels", "-o", self.dir / "b.bin")
+        self.assertEqual((self.dir / "b.bin").read_bytes(), self.path.read_bytes())
+
+    def test_what_a_later_format_added_is_lost(self):
+        parts = split(self.image)
+        for lost, image in (
+                ("section 14, 8 bytes, which this cgw does not know", join(self.image[:64], {**parts, 14: (4, b"12345678")}, 1)),
+                ("4 bytes of a longer header", join(self.image[:64] + b"more", parts, 1)),
+                ("what the reserved bytes of the header say", join(self.image[:54] + b"\1" + self.image[55:64], parts, 1))):
+            self.write(image)
+            self.assertEqual(cgw("image", "verify", self.path).returncode, 0, lost)
+            result = cgw("image", "decompile", "x.bin", directory=self.dir)
+            said = result.stderr.decode()
+            self.assertEqual(result.returncode, 1, lost)
+            self.assertIn(f"x.bin: lost: {lost}\n", said)
+            self.assertIn("compiles to another image", said)
+            self.assertIn(f"# - {lost}\n", result.stdout.decode())
+            self.assertNotIn("identical", said + result.stdout.decode(), lost)
 
     def test_a_model_of_another_id_is_refused(self):
         self.write(signed(self.image[:16] + b"\0" + self.image[17:]))
@@ -185,6 +341,41 @@ class Diff(ImageVerb):
         result = self.diff()
         self.assertEqual(result.returncode, 1)
         self.assertRegex(result.stdout.decode(), r"written by +cgw \S+ -> cgw 7\.")
+
+    def test_the_same_parameters_are_not_claimed_where_they_are_not_known(self):
+        plain = (SAMPLES / "minimal.toml").read_text()
+        more = plain.replace("[governor.parameters]", "[governor.parameters]\n811 = 3", 1)
+        self.assertNotEqual(plain, more)
+        for name, text, options in (("x", plain, ()), ("xn", plain, ["--no-labels"]), ("yn", more, ["--no-labels"])):
+            file = self.dir / "p.toml"
+            file.write_text(text)
+            self.assertEqual(cgw("emit", "image", file, *options, "-o", self.dir / f"{name}.bin").returncode, 0)
+        for one in ("x.bin", "xn.bin"):
+            result = cgw("image", "diff", one, "yn.bin", directory=self.dir)
+            said = result.stdout.decode()
+            self.assertEqual((result.returncode, result.stderr), (1, b""))
+            self.assertNotIn("All parameters", said)
+            self.assertIn("Without the model of both configurations not all parameters are known.\n", said)
+            self.assertIn("What a gateway needs is the same.\n", said)
+            self.assertRegex(said, r"configuration id +[0-9a-f]{16} -> [0-9a-f]{16}\n")
+            document = json.loads(cgw("image", "diff", one, "yn.bin", "--format", "json", directory=self.dir).stdout)
+            self.assertFalse(document["all_parameters_known"])
+
+    def test_fields_of_the_header_are_named(self):
+        parts = split(self.image)
+        self.write(join(self.image[:54] + b"\1" + self.image[55:64], {**parts, 14: (4, b"12345678")}, 1), "y.bin")
+        said = self.diff().stdout.decode()
+        for text in ("format ", "1.0 -> 1.1", "header", "section 14", "left out -> 2 records of 4 bytes"):
+            self.assertIn(text, said)
+
+    def test_another_version_does_not_hide_a_changed_byte(self):
+        at = struct.unpack_from("<I", self.image, 64 + 6 * 12 + 4)[0]
+        changed = bytearray(self.image[:at] + b"\x55" + self.image[at + 1:])
+        changed[48] = 7
+        self.write(signed(changed), "y.bin")
+        said = self.diff().stdout.decode()
+        self.assertIn("section object_values", said)
+        self.assertIn("written by", said)
 
     def test_a_value_changed_by_other_means_is_told(self):
         at = struct.unpack_from("<I", self.image, 64 + 6 * 12 + 4)[0]

@@ -201,7 +201,7 @@ TEST(RuleExampleKinds, without_examples_are_the_rules_that_nothing_printed_can_b
     EXPECT_EQ(
         names,
         "file-unreadable file-too-large file-not-utf8 elf-structure firmware-section firmware-address "
-        "image-alignment image-room image-refused eds-text eds-too-much eds-byte-order-mark eds-line-ends ");
+        "image-alignment image-room image-refused image-model image-elsewhere eds-text eds-too-much eds-byte-order-mark eds-line-ends ");
 }
 
 }  // namespace

@@ -121,6 +121,30 @@ TEST(EmbedIntoHex, replaces_an_image_of_another_format_version) {
     EXPECT_EQ(embed(bytes_of(file), sample.image, at(place))->replaced, Replaced::image);
 }
 
+TEST(EmbedIntoHex, refuses_a_new_place_beside_an_image_unless_told) {
+    const Sample sample;
+    const Outcome<Embedded> first = embed(bytes_of(hex_file()), sample.image, at(place));
+    EmbedOptions elsewhere = at(place + 0x10000);
+    const Outcome<Embedded> refused = embed(first->file, sample.image, elsewhere);
+    EXPECT_EQ(
+        why(refused),
+        "image-elsewhere: an image stands at 0x08000100 already, configuration id a0a1a2a3a4a5a6a7, and "
+        "none at 0x08010100");
+    elsewhere.beside = true;
+    const Outcome<Embedded> second = embed(first->file, sample.image, elsewhere);
+    ASSERT_EQ(why(second), "");
+    EXPECT_EQ(find_images(*FirmwareFile::read(second->file))->size(), 2U);
+    EXPECT_EQ(why(embed(second->file, sample.image, at(place))), "");  // each of them can be replaced
+    EXPECT_EQ(why(embed(second->file, sample.image, at(place + 0x10000))), "");
+}
+
+TEST(EmbedIntoHex, is_not_kept_from_a_new_place_by_a_damaged_image) {
+    const Sample sample;
+    IntelHex file = hex_file();
+    file.memory.put(place, test::flipped(sample.bytes, 1000));
+    EXPECT_EQ(why(embed(bytes_of(file), sample.image, at(place + 0x10000))), "");
+}
+
 TEST(EmbedIntoHex, refuses_odd_places) {
     const Sample sample;
     const base::Bytes file = bytes_of(hex_file());

@@ -38,12 +38,28 @@ TEST(ImagesInFirmware, are_found_wherever_they_stand) {
         std::equal(image.begin(), image.end(), found->front().bytes.begin(), found->front().bytes.end()));
 }
 
-TEST(ImagesInFirmware, are_found_when_they_are_damaged_and_not_when_they_are_cut) {
+TEST(ImagesInFirmware, are_found_when_they_are_damaged_or_cut) {
     const base::Bytes image = test::SamplePlant().image(false);
     const FirmwareFile damaged = hex_with(Memory(0x1000, test::flipped(image, 2000)));
     EXPECT_EQ(places(find_images(damaged)), Addresses{0x1000});
     const FirmwareFile cut = hex_with(Memory(0x1000, std::span(image).first(image.size() - 1)));
-    EXPECT_TRUE(find_images(cut)->empty());
+    const Outcome<std::vector<Area>> found = find_images(cut);
+    EXPECT_EQ(places(found), Addresses{0x1000});
+    EXPECT_EQ(found->front().bytes.size(), image.size() - 1);
+}
+
+// A boot loader compares with the letters that an image begins with.
+TEST(ImagesInFirmware, are_not_seen_in_the_letters_that_one_begins_with) {
+    const base::Bytes image = test::SamplePlant().image(false);
+    base::Bytes letters(image.begin(), image.begin() + 4);
+    for (const std::uint8_t rest :
+         {std::uint8_t{0}, std::uint8_t{1}, std::uint8_t{0x40}, std::uint8_t{0xFF}}) {
+        letters.resize(4);
+        letters.resize(100, rest);
+        EXPECT_TRUE(find_images(hex_with(Memory(0x1000, letters)))->empty()) << int{rest};
+    }
+    const FirmwareFile begun = hex_with(Memory(0x1000, std::span(image).first(63)));
+    EXPECT_TRUE(find_images(begun)->empty());
     const FirmwareFile other = hex_with(Memory(0x1000, base::to_bytes("CGWI is how it begins")));
     EXPECT_TRUE(find_images(other)->empty());
 }
@@ -73,6 +89,8 @@ TEST(ImagesInFirmware, are_taken_from_a_section_or_an_address) {
         EXPECT_EQ(there->bytes.size(), image.size());
     }
     EXPECT_EQ(image_at(file, {"", 0x08000000})->bytes.size(), 0x1000U);
+    const FirmwareFile erased = hex_with(Memory(0x1000, base::Bytes(8192, 0xFF)));
+    EXPECT_TRUE(image_at(erased, {"", 0x1000})->bytes.empty());
     EXPECT_EQ(image_at(file, {"", 0x08001000}).error().message, "the file has nothing at 0x08001000");
     EXPECT_EQ(image_at(file, {".bss", 0}).error().rule, &diagnostic::rules::firmware_section);
 }

@@ -6,6 +6,7 @@
 #include "canopen/sdo.hpp"
 #include "device/gateway.hpp"
 #include "fuzz/fuzz.hpp"
+#include "image/area.hpp"
 #include "image/c/cgw_image.h"
 #include "image/c_reader.h"
 #include "inspect/annotation.hpp"
@@ -30,6 +31,12 @@ void demand_agreement(Input input, Status cpp, test::Numbers& c_values) {
         demand(c == Status::ok || c == Status::bad_object_table || c == Status::bad_label,
                "the C reader does not refuse for other reasons");
     }
+}
+
+// Of whatever area, both take the same bytes for the image.
+void demand_agreement_about_areas(Input input) {
+    demand(c_reader_in(input.data(), input.size()) == image::image_in(input).size(),
+           "both readers see as much of an area as the image");
 }
 
 void demand_refusal_fits(Input input, Status status) {
@@ -147,6 +154,7 @@ void image(Input input) {
     const Status status = image::Image::open(input, image);
     test::Numbers c_values;
     demand_agreement(input, status, c_values);
+    demand_agreement_about_areas(input);
     demand_refusal_fits(input, status);
     if (sometimes(input, 2)) {
         demand_told(input, status);

@@ -31,6 +31,11 @@ with tempfile.TemporaryDirectory(prefix="cgw-c-reader-") as scratch:
             listed = subprocess.run(["arm-none-eabi-nm", "-u", target], capture_output=True, text=True, check=True).stdout
             problems += [f"{compiler}: {name} is needed" for name in listed.split()
                          if name != "U" and not name.startswith(OWN_OF_THE_COMPILER)]
+    header = pathlib.Path(scratch) / "reader.cpp"
+    header.write_text('#include "image/c/cgw_image.h"\n')
+    made = subprocess.run(["g++", "-std=c++20", "-Wold-style-cast", *WARNINGS, f"-I{LIB}", "-fsyntax-only", str(header)],
+                          capture_output=True, text=True)
+    problems += [f"-Wold-style-cast:\n{made.stderr}"] if made.returncode != 0 else []
 if done < 2:
     problems.append("neither gcc nor g++ found")
 print("\n".join(problems) or f"{done} compilers")

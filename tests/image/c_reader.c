@@ -137,6 +137,23 @@ static void put_labels(const struct sink* sink, const cgw_image* image) {
     }
 }
 
+static void put_model(const struct sink* sink, const cgw_image* image) {
+    uint32_t length;
+    const char* model = cgw_image_model(image, &length);
+    number(sink, length);
+    bytes_of(sink, model, length);
+}
+
+size_t c_reader_in(const void* area, size_t size) {
+    return cgw_image_in(area, size);
+}
+
+unsigned c_reader_open_region(const void* region, size_t region_size) {
+    cgw_image image;
+    const size_t size = cgw_image_in(region, region_size);
+    return cgw_image_open(&image, region, size);
+}
+
 unsigned c_reader_dump(const void* bytes, size_t size, c_reader_put put, void* to) {
     const struct sink sink = {put, to};
     cgw_image image;
@@ -147,6 +164,7 @@ unsigned c_reader_dump(const void* bytes, size_t size, c_reader_put put, void* t
         put_objects(&sink, &image);
         put_inputs_and_signals(&sink, &image);
         put_labels(&sink, &image);
+        put_model(&sink, &image);
     }
     return status;
 }
@@ -161,8 +179,9 @@ static int finds_objects(const cgw_image* image) {
             return 0;
         }
     }
+    found.index = 0xFFFF;
     return !cgw_image_find_object(image, 0x1005, 0, &found) &&
-           !cgw_image_find_object(image, 0x1018, 5, &found);
+           !cgw_image_find_object(image, 0x1018, 5, &found) && found.index == 0xFFFF;
 }
 
 static int finds_signals_and_labels(const cgw_image* image) {
@@ -181,7 +200,9 @@ static int finds_signals_and_labels(const cgw_image* image) {
             return 0;
         }
     }
-    return !cgw_image_find_signal(image, 0, &signal) && !cgw_image_find_label(image, 1, &label);
+    signal.number = label.number = 0xFFFF;
+    return !cgw_image_find_signal(image, 0, &signal) && signal.number == 0xFFFF &&
+           !cgw_image_find_label(image, 1, &label) && label.number == 0xFFFF;
 }
 
 int c_reader_finds(const void* bytes, size_t size) {

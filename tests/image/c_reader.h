@@ -14,7 +14,11 @@ typedef void (*c_reader_put)(void* to, uint64_t value);
  * status. */
 unsigned c_reader_dump(const void* bytes, size_t size, c_reader_put put, void* to);
 
-/* 1 when everything can be found by its number, and nothing else. */
+/* How much of an area is to be opened, and what opening that says. */
+size_t c_reader_in(const void* area, size_t size);
+unsigned c_reader_open_region(const void* region, size_t region_size);
+
+/* 1 when everything can be found by its number, and nothing else; what is not found changes nothing. */
 int c_reader_finds(const void* bytes, size_t size);
 
 #ifdef __cplusplus

@@ -9,6 +9,7 @@
 #include "driver/check_file.hpp"
 #include "driver/plant.hpp"
 #include "emit/emitter.hpp"
+#include "image/area.hpp"
 #include "support/image_values.hpp"
 #include "support/later_image.hpp"
 #include "support/sample_plant.hpp"
@@ -85,6 +86,40 @@ TEST(ImageInC, finds_objects_signals_and_labels_by_number) {
     for (const base::Bytes& bytes : good_images()) {
         EXPECT_EQ(c_reader_finds(bytes.data(), bytes.size()), 1);
     }
+}
+
+// A boot loader sees regions, not files.
+TEST(ImageInC, sees_as_much_of_a_region_as_the_firmware_does) {
+    const base::Bytes good = SamplePlant().image(false);
+    std::vector<base::Bytes> regions = {{},
+                                        base::Bytes(8192, 0xFF),
+                                        base::Bytes(8192, 0x00),
+                                        base::Bytes(100'000, 0xFF),
+                                        base::Bytes(100'000, 0x33)};
+    regions.back()[0] = 'C';
+    for (const std::size_t size : {good.size() - 1, good.size(), good.size() + 1, std::size_t{100'000}}) {
+        for (std::size_t at = 0; at < image::header::size; ++at) {
+            for (const unsigned change : {0U, 1U, 0x80U, 0xFFU}) {
+                base::Bytes region = good;
+                region[at] = static_cast<std::uint8_t>(region[at] ^ change);
+                region.resize(size, 0xFF);
+                regions.push_back(region);
+            }
+        }
+    }
+    for (const base::Bytes& region : regions) {
+        ASSERT_EQ(c_reader_in(region.data(), region.size()), image::image_in(region).size());
+        const auto c = static_cast<Status>(c_reader_open_region(region.data(), region.size()));
+        ASSERT_EQ(c, open(base::Bytes(image::image_in(region).begin(), image::image_in(region).end())));
+    }
+}
+
+TEST(ImageInC, opens_an_embedded_image_and_knows_an_erased_region) {
+    base::Bytes region = SamplePlant().image(false);
+    region.resize(8192, 0xFF);
+    EXPECT_EQ(c_reader_open_region(region.data(), region.size()), 0U);
+    const base::Bytes erased(8192, 0xFF);
+    EXPECT_EQ(c_reader_open_region(erased.data(), erased.size()), 1U);
 }
 
 TEST(ImageInC, refuses_an_image_that_was_cut_off_anywhere) {

@@ -77,6 +77,24 @@ def a_project_finds_it(prefix):
     check(code != 0 and "0.2" in output, "a package of another minor version was taken")
 
 
+def the_sample_firmware_is_built(prefix):
+    """Where it is installed, and as a copy; without a cross compiler CMake gets as far as the link."""
+    installed, copy = prefix / "share/cgw/samples/firmware", work / "firmware"
+    shutil.copytree(installed, copy)
+    plant = prefix / "share/cgw/samples/genset.toml"
+    cross = shutil.which("arm-none-eabi-g++") is not None
+    chosen = ["--toolchain", "cortex-m3.cmake"] if cross else [f"-DCMAKE_CXX_COMPILER={options.compiler}"]
+    for name, project, found in (("installed", installed, []), ("copied", copy, [f"-DCMAKE_PREFIX_PATH={prefix}"])):
+        build = work / f"firmware-{name}"
+        must(options.cmake, "-S", project, "-B", build, *chosen, *found, f"-DCONFIG={plant}")
+    code, output = run("make", cwd=copy)
+    check(code != 0 and "LIB= says where they are" in output, f"make does not say what is missing: {output}")
+    if cross:
+        must(options.cmake, "--build", work / "firmware-copied")
+        must("make", f"LIB={prefix}/share/cgw/rooms", f"CGW={prefix}/bin/cgw", f"CONFIG={plant}", cwd=copy)
+        check((copy / "build/firmware.elf").exists(), "make built no firmware")
+
+
 def the_printed_makefile_works(prefix):
     page = (source / "docs/build-integration.md").read_text()
     project = work / "make"
@@ -135,6 +153,7 @@ def ninja_reads_the_dependency_file(prefix):
 
 prefix = installed_and_moved()
 a_project_finds_it(prefix)
+the_sample_firmware_is_built(prefix)
 the_printed_makefile_works(prefix)
 ninja_reads_the_dependency_file(prefix)
 print("the installed package works")

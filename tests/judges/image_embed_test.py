@@ -189,7 +189,7 @@ class Embed(unittest.TestCase):
         path.write_text(text.replace(second, second[:-1] + ("0" if second[-1] != "0" else "1"), 1), newline="")
         self.refused(f"{path.name}:2:42: error: the checksum is", *into, path.name, "--address", hex(PLACE), *to)
         self.refused("no configuration image is in this ELF file", "verify", "fw.elf")
-        self.refused("at 0x0003E000: refused: it does not begin with", "verify", "fw.elf", "--section", ".cgw_config")
+        self.refused("at 0x0003E000: refused: erased, all bytes are 0xFF or 0x00 (status 1)", "verify", "fw.elf", "--section", ".cgw_config")
         self.refused("No such file", *into, "none.elf", "--section", ".x", *to, code=3)
         self.refused("cannot write", *into, "fw.elf", "--section", ".cgw_config", "-o", "no/such/directory", code=3)
 

@@ -114,6 +114,8 @@ inline Numbers values_of(const image::Image& image) {
     put_objects(values, image);
     put_inputs_and_signals(values, image);
     put_labels(values, image);
+    values.put(image.model().size());
+    values.bytes(image.model());
     return values.numbers;
 }
 

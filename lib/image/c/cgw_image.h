@@ -10,12 +10,22 @@
    each other: code 10, code 12 and the rest of 11 and 13 come from the C++ verifier only.
 
    Everything is read from the caller's bytes, which must stay as they are; any alignment, any byte order.
-   Functions with a position want one below the count; those that find something return 1, else 0. */
+   Functions with a position want one below the count; those that find something return 1, else 0 and leave
+   what they were to fill in as it is.
+
+   Of an area that is larger than the image, such as a region of flash memory, cgw_image_in() says how much of
+   it is to be opened. */
 #ifndef CGW_IMAGE_H
 #define CGW_IMAGE_H
 
 #include <stddef.h>
 #include <stdint.h>
+
+/* Casts in C are old-style casts in C++; there is no other way to write both. */
+#if defined(__cplusplus) && defined(__GNUC__)
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wold-style-cast"
+#endif
 
 /* Refusal codes; stable, a later version only adds. */
 enum cgw_image_status {
@@ -264,13 +274,17 @@ static inline void cgw_image_copy(uint8_t* to, const uint8_t* from, unsigned cou
     }
 }
 
-static inline int cgw_image_all_zero(const uint8_t* from, uint32_t count) {
+static inline int cgw_image_all_are(const uint8_t* from, size_t count, uint8_t value) {
     while (count-- != 0) {
-        if (*from++ != 0) {
+        if (*from++ != value) {
             return 0;
         }
     }
     return 1;
+}
+
+static inline int cgw_image_all_zero(const uint8_t* from, uint32_t count) {
+    return cgw_image_all_are(from, count, 0);
 }
 
 /* IEEE 802.3. */
@@ -467,6 +481,27 @@ static inline unsigned cgw_image_check_references(const cgw_image* image) {
     return CGW_IMAGE_OK;
 }
 
+/* Of an area that is reserved for an image, how many bytes from its beginning cgw_image_open() is to judge,
+   as image_in() of lib/image/area.hpp: as many as the image says it has. 0 where the area is erased, all FFh
+   or all 00h, which open refuses with CGW_IMAGE_TOO_SMALL; where the beginning is damaged as many as an image
+   can have, which it refuses with the fitting code. */
+static inline size_t cgw_image_in(const void* area, size_t size) {
+    const uint8_t* bytes = (const uint8_t*)area;
+    if (size >= CGW_IMAGE_MINIMUM_SIZE && bytes[0] == 'C' && bytes[1] == 'G' && bytes[2] == 'W' &&
+        bytes[3] == 'I') {
+        const uint32_t stated = cgw_image_u32(bytes + CGW_IMAGE_HEADER_TOTAL_SIZE);
+        const uint16_t header_size = cgw_image_u16(bytes + CGW_IMAGE_HEADER_HEADER_SIZE);
+        if (stated >= CGW_IMAGE_MINIMUM_SIZE && stated <= CGW_IMAGE_MAXIMUM_SIZE && stated <= size &&
+            header_size >= CGW_IMAGE_HEADER_SIZE && header_size < stated) {
+            return stated;
+        }
+    }
+    if (cgw_image_all_are(bytes, size, 0xFF) || cgw_image_all_are(bytes, size, 0x00)) {
+        return 0;
+    }
+    return size < CGW_IMAGE_MAXIMUM_SIZE ? size : (size_t)CGW_IMAGE_MAXIMUM_SIZE;
+}
+
 /* Checks what the top of this file says; returns a code of cgw_image_status. On anything but CGW_IMAGE_OK the
    image may not be asked anything. */
 static inline unsigned cgw_image_open(cgw_image* image, const void* bytes, size_t size) {
@@ -611,8 +646,9 @@ static inline int cgw_image_find_object(const cgw_image* image, uint16_t index, 
                                         cgw_image_object* object) {
     uint32_t i;
     for (i = 0; i < cgw_image_object_count(image); ++i) {
-        *object = cgw_image_get_object(image, i);
-        if (object->index == index && object->sub_index == sub_index) {
+        const cgw_image_object one = cgw_image_get_object(image, i);
+        if (one.index == index && one.sub_index == sub_index) {
+            *object = one;
             return 1;
         }
     }
@@ -669,8 +705,9 @@ static inline cgw_image_signal cgw_image_get_signal(const cgw_image* image, uint
 static inline int cgw_image_find_signal(const cgw_image* image, uint16_t number, cgw_image_signal* signal) {
     uint32_t i;
     for (i = 0; i < cgw_image_signal_count(image); ++i) {
-        *signal = cgw_image_get_signal(image, i);
-        if (signal->number == number) {
+        const cgw_image_signal one = cgw_image_get_signal(image, i);
+        if (one.number == number) {
+            *signal = one;
             return 1;
         }
     }
@@ -700,12 +737,24 @@ static inline cgw_image_label cgw_image_get_label(const cgw_image* image, uint32
 static inline int cgw_image_find_label(const cgw_image* image, uint16_t number, cgw_image_label* label) {
     uint32_t i;
     for (i = 0; i < cgw_image_label_count(image); ++i) {
-        *label = cgw_image_get_label(image, i);
-        if (label->number == number) {
+        const cgw_image_label one = cgw_image_get_label(image, i);
+        if (one.number == number) {
+            *label = one;
             return 1;
         }
     }
     return 0;
 }
+
+/* The canonical model, the text whose SHA-256 is the configuration id: UTF-8, not terminated. NULL and 0 for
+   an image without it. */
+static inline const char* cgw_image_model(const cgw_image* image, uint32_t* length) {
+    *length = image->sections[CGW_IMAGE_MODEL].size;
+    return (const char*)image->sections[CGW_IMAGE_MODEL].data;
+}
+
+#if defined(__cplusplus) && defined(__GNUC__)
+#pragma GCC diagnostic pop
+#endif
 
 #endif
