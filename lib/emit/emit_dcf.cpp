@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include "dictionary/node.hpp"
 #include "eds/writer.hpp"
 #include "emit/artefacts.hpp"
 #include "facts/communication.hpp"
@@ -53,7 +54,7 @@ base::Bytes emit_dcf(const Plant& plant, const Options& options) {
     if (!states_identity(plant.configuration.identity)) {
         dictionary.comments.emplace_back(identity_not_known);
     }
-    return base::to_bytes(eds::write(dictionary, node));
+    return base::to_bytes(eds::write(dictionary::of_node(std::move(dictionary), node.node_id), node));
 }
 
 }  // namespace cgw::emit
