@@ -28,6 +28,8 @@ std::string_view language_of(Example example) {
             return "text";
         case Example::data_sheet:
             return "ini";
+        case Example::device_description:
+            return "xml";
     }
     return "";
 }
@@ -139,6 +141,19 @@ const Rule* const table[] = {
     &eds_entry_alone,
     &eds_spelling,
     &eds_too_much,
+    &xdd_text,
+    &xdd_root,
+    &xdd_absent,
+    &xdd_value,
+    &xdd_number_range,
+    &xdd_number_form,
+    &xdd_data_type,
+    &xdd_object_type,
+    &xdd_access,
+    &xdd_no_access,
+    &xdd_reference,
+    &xdd_contradiction,
+    &xdd_twice,
 };
 
 }  // namespace

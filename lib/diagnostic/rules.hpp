@@ -1,7 +1,8 @@
 // Every finding cgw can make, one row each. A code is never reused; a name never changes.
 // E00 file and TOML · E01 keys, parameters, values · E02 what makes the plant fail · E03 warnings · E04
-// notes · E05 tables read in and files copied · E06 scenario files · E07 firmware files · E08 EDS and DCF.
-// The rows stand in one source file per group; what explains, lists or documents findings reads them.
+// notes · E05 tables read in and files copied · E06 scenario files · E07 firmware files · E08 EDS and DCF ·
+// E09 XDD and XDC. The rows stand in one source file per group; what explains, lists or documents findings
+// reads them.
 #pragma once
 
 #include <span>
@@ -15,14 +16,15 @@ std::string_view to_text(Level level);  // "error", "warning", "note"
 
 // What the two examples of a rule are.
 enum class Example {
-    none,            // nothing printed can break the rule; both are empty
-    parameter_file,  // lines of a parameter file, to be read on top of a valid one
-    copied_file,     // the same, of a file that is then copied
-    table,           // a whole printed table of the governor
-    table_rows,      // rows of one, on top of a table that prints every row of concern
-    scenario,        // steps of a scenario of samples/genset.toml that lasts 10 s
-    firmware,        // an Intel HEX file into which an image is put at 0x08010000
-    data_sheet,      // sections of an EDS or DCF
+    none,                // nothing printed can break the rule; both are empty
+    parameter_file,      // lines of a parameter file, to be read on top of a valid one
+    copied_file,         // the same, of a file that is then copied
+    table,               // a whole printed table of the governor
+    table_rows,          // rows of one, on top of a table that prints every row of concern
+    scenario,            // steps of a scenario of samples/genset.toml that lasts 10 s
+    firmware,            // an Intel HEX file into which an image is put at 0x08010000
+    data_sheet,          // sections of an EDS or DCF
+    device_description,  // parameters and objects of an XDD
 };
 
 // The language of such an example, as Markdown names it behind a fence: "toml", "text".
@@ -167,6 +169,21 @@ CGW_RULE(eds_section_alone);
 CGW_RULE(eds_entry_alone);
 CGW_RULE(eds_spelling);
 CGW_RULE(eds_too_much);
+
+// E09: XDD and XDC, as they are read
+CGW_RULE(xdd_text);
+CGW_RULE(xdd_root);
+CGW_RULE(xdd_absent);
+CGW_RULE(xdd_value);
+CGW_RULE(xdd_number_range);
+CGW_RULE(xdd_number_form);
+CGW_RULE(xdd_data_type);
+CGW_RULE(xdd_object_type);
+CGW_RULE(xdd_access);
+CGW_RULE(xdd_no_access);
+CGW_RULE(xdd_reference);
+CGW_RULE(xdd_contradiction);
+CGW_RULE(xdd_twice);
 
 #undef CGW_RULE
 

@@ -126,7 +126,7 @@ std::string checks_page(const Catalogue&) {
         "those of E07 are Intel HEX files into which `cgw image embed` puts an image at 0x08010000; those of "
         "E08 "
         "are sections\n"
-        "of an EDS.\n\n";
+        "of an EDS, those of E09 parameters and objects of an XDD.\n\n";
     std::string list = render_markdown(check_list(), heading_of_group);
     for (const Rule* rule : diagnostic::all_rules()) {
         list = replaced(list, fmt::format("| {} |", rule->code),

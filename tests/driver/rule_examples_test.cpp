@@ -14,6 +14,7 @@
 #include "emit/concerned.hpp"
 #include "firmware_file/embed.hpp"
 #include "support/scratch_directory.hpp"
+#include "xdd/reading_result.hpp"
 
 namespace cgw::driver {
 namespace {
@@ -111,6 +112,15 @@ diagnostic::Findings findings_in_data_sheet(const std::string& text) {
     return findings;
 }
 
+// What reading these parameters, and the objects behind them, as an XDD finds.
+diagnostic::Findings findings_in_device_description(const std::string& text) {
+    const std::size_t objects = text.find("<CANopenObject");
+    diagnostic::Findings findings;
+    xdd::read(test::device_description(text.substr(0, objects), text.substr(objects)), "example.xdd",
+              findings);
+    return findings;
+}
+
 diagnostic::Findings findings_of(Example kind, std::string_view example) {
     switch (kind) {
         case Example::none:
@@ -129,6 +139,8 @@ diagnostic::Findings findings_of(Example kind, std::string_view example) {
             return findings_in_firmware(std::string(example));
         case Example::data_sheet:
             return findings_in_data_sheet(std::string(example));
+        case Example::device_description:
+            return findings_in_device_description(std::string(example));
     }
     return {};
 }
@@ -172,7 +184,7 @@ TEST(RuleExampleKinds, without_examples_are_the_rules_that_nothing_printed_can_b
     }
     EXPECT_EQ(names,
               "file-unreadable file-too-large file-not-utf8 elf-structure firmware-section firmware-address "
-              "image-alignment image-room eds-text eds-too-much ");
+              "image-alignment image-room eds-text eds-too-much xdd-text xdd-root ");
 }
 
 }  // namespace
