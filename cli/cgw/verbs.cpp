@@ -18,6 +18,8 @@ std::span<const Verb* const> all_verbs() {
         &image_diff_verb,
         &image_decompile_verb,
         &image_embed_verb,
+        &eds_diff_verb,
+        &convert_verb,
         &diff_verb,
         &clone_verb,
         &verify_verb,

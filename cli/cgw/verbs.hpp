@@ -21,6 +21,8 @@ extern const Verb image_annotate_verb;
 extern const Verb image_decompile_verb;
 extern const Verb image_diff_verb;
 extern const Verb image_embed_verb;
+extern const Verb eds_diff_verb;
+extern const Verb convert_verb;
 extern const Verb verify_verb;
 extern const Verb hub_verb;
 extern const Verb simulate_verb;

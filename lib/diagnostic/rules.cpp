@@ -124,6 +124,7 @@ const Rule* const table[] = {
     &image_alignment,
     &image_room,
     &image_occupied,
+    &image_refused,
     &eds_text,
     &eds_line,
     &eds_header,

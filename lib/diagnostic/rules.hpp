@@ -150,6 +150,7 @@ CGW_RULE(firmware_address);
 CGW_RULE(image_alignment);
 CGW_RULE(image_room);
 CGW_RULE(image_occupied);
+CGW_RULE(image_refused);
 
 // E08: EDS and DCF, as they are read
 CGW_RULE(eds_text);

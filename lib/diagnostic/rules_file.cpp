@@ -19,11 +19,11 @@ const Rule file_too_large{
     .code = "E0002",
     .name = "file-too-large",
     .level = Level::error,
-    .summary = "a parameter file or catalogue has at most 4 MiB",
+    .summary = "a text file has at most 4 MiB, an EDS or DCF 32 MiB",
     .reference = "",
     .why =
-        "A complete parameter file has some kilobytes. One of several megabytes is something else, given "
-        "by mistake, and is not worth the memory it would take.",
+        "A complete parameter file has some kilobytes, an EDS of fifty thousand objects 12 MiB. What is larger "
+        "is something else, given by mistake, and is not worth the memory it would take.",
     .example = Example::none,
     .bad = "",
     .good = ""};

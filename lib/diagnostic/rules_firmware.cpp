@@ -166,5 +166,17 @@ const Rule image_occupied{
         ":04000000004800476D\n"
         ":00000001FF\n",
     .good = good_file};
+const Rule image_refused{
+    .code = "E0712",
+    .name = "image-refused",
+    .level = Level::error,
+    .summary = "a configuration image passes every test that the gateway makes at its start",
+    .reference = "",
+    .why =
+        "A gateway does not run with a refused image, and nothing in it can be relied on. The number is the "
+        "one that firmware shows; docs/image-format.md lists them.",
+    .example = Example::none,
+    .bad = "",
+    .good = ""};
 
 }  // namespace cgw::diagnostic::rules

@@ -7,19 +7,12 @@
 #include "catalogue/catalogue.hpp"
 #include "check/checks.hpp"
 #include "check/not_verified.hpp"
+#include "driver/report_unreadable.hpp"
 #include "input/parameter_file.hpp"
 #include "toml/document.hpp"
 
 namespace cgw::driver {
 namespace {
-
-void report_unreadable(CheckedFile& file, const base::Failure& failure) {
-    const bool too_large = failure.too_large;
-    file.unreadable = !too_large;
-    const diagnostic::Rule& rule =
-        too_large ? diagnostic::rules::file_too_large : diagnostic::rules::file_unreadable;
-    file.findings.report({&rule, failure.message, {file.path, {}}});
-}
 
 CheckedFile empty_file(const std::string& path) {
     CheckedFile file;
@@ -49,7 +42,7 @@ CheckedFile check(const std::string& path, bool may_be_catalogue) {
     base::Result<std::string> text = base::read_file(path, toml::maximum_file_size);
     if (!text) {
         CheckedFile file = empty_file(path);
-        report_unreadable(file, text.error());
+        file.unreadable = report_unreadable(path, text.error(), file.findings);
         return file;
     }
     return may_be_catalogue && is_catalogue(path, *text) ? check_catalogue(path, std::move(*text))

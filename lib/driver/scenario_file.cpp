@@ -4,6 +4,7 @@
 
 #include "base/files.hpp"
 #include "driver/plant.hpp"
+#include "driver/report_unreadable.hpp"
 #include "emit/emitter.hpp"
 #include "toml/document.hpp"
 
@@ -15,11 +16,7 @@ ScenarioFile read_scenario_file(const std::string& path) {
         return read_scenario_text(path, std::move(*text));
     }
     ScenarioFile file;
-    const bool too_large = text.error().too_large;
-    file.unreadable = !too_large;
-    const diagnostic::Rule& rule =
-        too_large ? diagnostic::rules::file_too_large : diagnostic::rules::file_unreadable;
-    file.findings.report({&rule, text.error().message, {path, {}}});
+    file.unreadable = report_unreadable(path, text.error(), file.findings);
     return file;
 }
 

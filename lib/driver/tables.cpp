@@ -11,6 +11,7 @@
 #include "authoring/parameter_file_text.hpp"
 #include "base/files.hpp"
 #include "base/utf8.hpp"
+#include "driver/report_unreadable.hpp"
 #include "emit/concerned.hpp"
 #include "toml/document.hpp"
 
@@ -28,11 +29,7 @@ void read_table(ReadTables& tables, const std::string& path, Device device,
             input::read_parameter_table(*text, path, device, catalogue, findings);
         tables.sources[path] = std::move(*text);
     } else {
-        const bool too_large = text.error().too_large;
-        tables.unreadable = tables.unreadable || !too_large;
-        findings.report({too_large ? &diagnostic::rules::file_too_large : &diagnostic::rules::file_unreadable,
-                         text.error().message,
-                         {path, {}}});
+        tables.unreadable = report_unreadable(path, text.error(), findings) || tables.unreadable;
     }
     findings.sort();
     tables.has_errors = tables.has_errors || findings.has_errors();

@@ -18,6 +18,18 @@ bool breaks_lines(char c) {
 
 }  // namespace
 
+std::string entry_text(std::string_view key, std::string_view text) {
+    std::string value = dictionary::to_ascii(text);
+    std::replace(value.begin(), value.end(), ';', ',');
+    return dictionary::shortened(base::trimmed(value, " "), longest_line - key.size() - 1);
+}
+
+std::string entry_value(std::string_view text) {
+    std::string value(text);
+    std::replace_if(value.begin(), value.end(), breaks_lines, ' ');
+    return std::string(base::trimmed(value));
+}
+
 void Printer::section(std::string_view name) {
     text_ += text_.empty() ? "[" : "\r\n[";
     text_.append(name).append("]\r\n");
@@ -25,18 +37,6 @@ void Printer::section(std::string_view name) {
 
 void Printer::entry(std::string_view key, std::string_view value) {
     text_.append(key).append("=").append(value).append("\r\n");
-}
-
-void Printer::text_entry(std::string_view key, std::string_view text) {
-    std::string value = dictionary::to_ascii(text);
-    std::replace(value.begin(), value.end(), ';', ',');
-    entry(key, dictionary::shortened(base::trimmed(value, " "), longest_line - key.size() - 1));
-}
-
-void Printer::value_entry(std::string_view key, std::string_view text) {
-    std::string value(text);
-    std::replace_if(value.begin(), value.end(), breaks_lines, ' ');
-    entry(key, base::trimmed(value));
 }
 
 void Printer::number_entry(std::string_view key, std::size_t number) {

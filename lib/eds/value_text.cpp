@@ -33,6 +33,11 @@ std::string hexadecimal(std::uint64_t number, const TypeRow& type) {
     return fmt::format("0x{:0{}X}", number & mask_of(8 * bytes), 2 * bytes);
 }
 
+// Importers take 0xFF of a signed type for 255, or for too much.
+bool is_negative(std::uint64_t number, const TypeRow& type) {
+    return type.kind == TypeKind::integer && (number >> (type.bits - 1) & 1U) != 0;
+}
+
 std::string real_text(std::uint64_t bits, const TypeRow& type) {
     if (type.bits == 64) {
         const auto number = std::bit_cast<double>(bits);
@@ -75,7 +80,9 @@ std::string value_text(const Value& value, const TypeRow& type) {
         case TypeKind::real:
             return real_text(value.number, type);
         default:
-            return hexadecimal(value.number, type);
+            return is_negative(value.number, type)
+                       ? fmt::format("-{}", (~value.number + 1) & mask_of(type.bits))
+                       : hexadecimal(value.number, type);
     }
 }
 

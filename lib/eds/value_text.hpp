@@ -11,7 +11,7 @@
 
 namespace cgw::eds {
 
-// Numbers are hexadecimal in the full width of their type (0x04, 0x0006; negative ones as two's complement),
+// Numbers are hexadecimal in the full width of their type (0x04, 0x0006), negative ones decimal,
 // values that follow the node number $NODEID+0x180, reals decimal (the bits in hexadecimal where they are no
 // finite number), octet strings and domains pairs of hexadecimal digits, other strings as they are. Nothing
 // for a structure. An empty string is written as no value is.

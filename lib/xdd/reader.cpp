@@ -7,7 +7,6 @@
 #include "base/ascii.hpp"
 #include "base/utf8.hpp"
 #include "xdd/reading.hpp"
-#include "xdd/xml_printer.hpp"
 
 namespace cgw::xdd {
 namespace {
@@ -42,12 +41,11 @@ constexpr std::array foreign_roots{
     Foreign{"OpenEDSProject", "this is a project of several devices; each of them needs a file of its own"},
 };
 
-// Nothing after a finding.
-std::optional<std::string> as_utf8(std::string_view text, const std::string& path,
-                                   diagnostic::Findings& findings) {
+// False after a finding.
+bool judge_bytes(std::string_view text, const std::string& path, diagnostic::Findings& findings) {
     const auto refuse = [&](std::string_view message) {
         findings.report({&rules::xdd_text, std::string(message), {path, {}}});
-        return std::nullopt;
+        return false;
     };
     if (text.size() > largest_text) {
         return refuse(fmt::format("the file has more than {} MiB", largest_text / 1024 / 1024));
@@ -66,8 +64,7 @@ std::optional<std::string> as_utf8(std::string_view text, const std::string& pat
         }
         return refuse("the file is no XML: nothing stands between < and > at its beginning");
     }
-    text.remove_prefix(text.starts_with(byte_order_mark) ? byte_order_mark.size() : 0);
-    return to_utf8(text);
+    return true;
 }
 
 // False after a finding.
@@ -120,11 +117,11 @@ bool is_xml(std::string_view text) {
 
 Sheet read(std::string_view text, const std::string& path, diagnostic::Findings& findings) {
     Sheet sheet;
-    std::optional<std::string> utf8 = as_utf8(text, path, findings);
-    if (!utf8) {
+    if (!judge_bytes(text, path, findings)) {
         return sheet;
     }
-    Source source(std::move(*utf8), path, findings);
+    text.remove_prefix(text.starts_with(byte_order_mark) ? byte_order_mark.size() : 0);
+    Source source(text, path, findings);
     if (!source.parse() || !judge_root(source)) {
         return sheet;
     }

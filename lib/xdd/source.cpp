@@ -32,8 +32,12 @@ std::string quoted(pugi::xml_attribute attribute) {
     return fmt::format("{} is {}", base::printable(attribute.name()), quoted(attribute.value()));
 }
 
-Source::Source(std::string text, const std::string& path, diagnostic::Findings& findings)
-    : text_(std::move(text)), path_(path), findings_(findings), lines_{0} {
+Source::Source(std::string_view text, const std::string& path, diagnostic::Findings& findings)
+    : text_(base::to_utf8(text)),
+      from_latin_1_(text_.size() != text.size()),
+      path_(path),
+      findings_(findings),
+      lines_{0} {
     for (std::size_t i = 0; i < text_.size(); ++i) {
         if (text_[i] == '\n') {
             lines_.push_back(i + 1);
@@ -102,7 +106,14 @@ void Source::finish() {
 diagnostic::Position Source::position(std::size_t offset) const {
     const auto next = std::upper_bound(lines_.begin(), lines_.end(), offset);
     const std::size_t line = static_cast<std::size_t>(next - lines_.begin());
-    return {static_cast<std::uint32_t>(line), static_cast<std::uint32_t>(offset - lines_[line - 1] + 1)};
+    const std::string_view before =
+        std::string_view(text_).substr(lines_[line - 1], offset - lines_[line - 1]);
+    std::size_t column = before.size() + 1;
+    if (from_latin_1_) {  // in the file each character is one byte
+        column -= static_cast<std::size_t>(
+            std::count_if(before.begin(), before.end(), [](char c) { return (c & 0xC0) == 0x80; }));
+    }
+    return {static_cast<std::uint32_t>(line), static_cast<std::uint32_t>(column)};
 }
 
 // Its name.

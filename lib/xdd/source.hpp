@@ -21,8 +21,8 @@ std::string_view local_name(const char* name);
 
 class Source {
   public:
-    // `text` is UTF-8 of at most largest_text bytes.
-    Source(std::string text, const std::string& path, diagnostic::Findings& findings);
+    // At most largest_text bytes; what is not UTF-8 is taken as Latin-1.
+    Source(std::string_view text, const std::string& path, diagnostic::Findings& findings);
 
     // False after a finding, when the text is not well-formed.
     bool parse();
@@ -68,10 +68,12 @@ class Source {
                                              const dictionary::TypeRow& type);
     std::optional<dictionary::Value> real(pugi::xml_node element, pugi::xml_attribute attribute,
                                           const dictionary::TypeRow& type);
+    std::optional<dictionary::Value> octets(pugi::xml_node element, pugi::xml_attribute attribute);
     void refuse(pugi::xml_node element, pugi::xml_attribute attribute, std::string_view why);
     void refuse_range(pugi::xml_node element, pugi::xml_attribute attribute, const std::string& why);
 
-    std::string text_;
+    std::string text_;  // UTF-8
+    bool from_latin_1_;
     const std::string& path_;
     diagnostic::Findings& findings_;
     pugi::xml_document document_;

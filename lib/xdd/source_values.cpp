@@ -146,32 +146,33 @@ std::optional<Value> Source::real(pugi::xml_node element, pugi::xml_attribute at
     return value;
 }
 
+std::optional<Value> Source::octets(pugi::xml_node element, pugi::xml_attribute attribute) {
+    std::string_view digits = base::trimmed(attribute.value(), blanks);
+    digits.remove_prefix(digits.starts_with("0x") || digits.starts_with("0X") ? 2 : 0);
+    std::optional<std::string> bytes = eds::octets_of(digits);
+    if (!bytes) {
+        refuse(element, attribute, "not pairs of hexadecimal digits");
+        return std::nullopt;
+    }
+    return bytes->empty() ? std::nullopt : std::optional(Value{0, false, std::move(*bytes)});
+}
+
 std::optional<Value> Source::value(pugi::xml_node element, const char* name, const TypeRow& type) {
     const pugi::xml_attribute attribute = element.attribute(name);
     const std::string_view text = attribute.value();
-    if (base::trimmed(text, blanks).empty() && !text.empty() && type.kind == TypeKind::visible_string) {
-        return Value{0, false, std::string(text)};
-    }
-    if (base::trimmed(text, blanks).empty() || type.kind == TypeKind::structure) {
+    const bool is_string = type.kind == TypeKind::visible_string || type.kind == TypeKind::unicode_string;
+    if ((is_string ? text : base::trimmed(text, blanks)).empty() || type.kind == TypeKind::structure) {
         return std::nullopt;
     }
     switch (type.kind) {
-        case TypeKind::real:
-            return real(element, attribute, type);
-        case TypeKind::octet_string:
-        case TypeKind::domain: {
-            const std::string_view digits = base::trimmed(text, blanks);
-            std::optional<std::string> bytes = eds::octets_of(
-                digits.starts_with("0x") || digits.starts_with("0X") ? digits.substr(2) : digits);
-            if (!bytes) {
-                refuse(element, attribute, "not pairs of hexadecimal digits");
-                return std::nullopt;
-            }
-            return Value{0, false, std::move(*bytes)};
-        }
         case TypeKind::visible_string:
         case TypeKind::unicode_string:
             return Value{0, false, std::string(text)};
+        case TypeKind::octet_string:
+        case TypeKind::domain:
+            return octets(element, attribute);
+        case TypeKind::real:
+            return real(element, attribute, type);
         default:
             return numeric(element, attribute, type);
     }

@@ -12,31 +12,6 @@ bool is_no_character(std::string_view sequence) {
     return sequence == "\xEF\xBF\xBE" || sequence == "\xEF\xBF\xBF";
 }
 
-bool is_utf8(std::string_view text) {
-    while (!text.empty()) {
-        const std::size_t length = base::utf8_sequence_length(text);
-        if (length == 0) {
-            return false;
-        }
-        text.remove_prefix(length);
-    }
-    return true;
-}
-
-std::string from_latin_1(std::string_view text) {
-    std::string result;
-    for (const char c : text) {
-        const auto byte = static_cast<unsigned char>(c);
-        if (byte < 0x80) {
-            result += c;
-        } else {
-            result += static_cast<char>(0xC0U | byte >> 6U);
-            result += static_cast<char>(0x80U | (byte & 0x3FU));
-        }
-    }
-    return result;
-}
-
 void append_escaped(std::string& to, std::string_view text) {
     for (const char c : text) {
         switch (c) {
@@ -65,12 +40,8 @@ void append_escaped(std::string& to, std::string_view text) {
 
 }  // namespace
 
-std::string to_utf8(std::string_view text) {
-    return is_utf8(text) ? std::string(text) : from_latin_1(text);
-}
-
 std::string xml_text(std::string_view text) {
-    const std::string utf8 = to_utf8(text);
+    const std::string utf8 = base::to_utf8(text);
     std::string result;
     for (std::string_view rest = utf8; !rest.empty();) {
         const std::string_view sequence = rest.substr(0, base::utf8_sequence_length(rest));

@@ -7,9 +7,6 @@
 
 namespace cgw::xdd {
 
-// A text that is not UTF-8 is taken as Latin-1.
-std::string to_utf8(std::string_view text);
-
 // UTF-8 that XML can carry: a text that is not UTF-8 is taken as Latin-1; control characters other than tab
 // and line ends become '?'.
 std::string xml_text(std::string_view text);

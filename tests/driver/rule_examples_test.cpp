@@ -184,7 +184,8 @@ TEST(RuleExampleKinds, without_examples_are_the_rules_that_nothing_printed_can_b
     }
     EXPECT_EQ(names,
               "file-unreadable file-too-large file-not-utf8 elf-structure firmware-section firmware-address "
-              "image-alignment image-room eds-text eds-too-much xdd-text xdd-root ");
+              "image-alignment image-room image-refused eds-text eds-too-much xdd-text "
+              "xdd-root ");
 }
 
 }  // namespace

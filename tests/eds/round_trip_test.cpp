@@ -98,7 +98,9 @@ TEST(EdsValueText, writes_octets_as_pairs_of_digits) {
 
 TEST(EdsValueText, writes_wide_numbers_in_full) {
     EXPECT_EQ(text_of(DataType::unsigned24, 0x12), "0x000012");
-    EXPECT_EQ(text_of(DataType::integer64, ~std::uint64_t{0}), "0xFFFFFFFFFFFFFFFF");
+    EXPECT_EQ(text_of(DataType::unsigned64, ~std::uint64_t{0}), "0xFFFFFFFFFFFFFFFF");
+    EXPECT_EQ(text_of(DataType::integer64, std::uint64_t{1} << 63), "-9223372036854775808");
+    EXPECT_EQ(text_of(DataType::integer24, 0xFFFFFE), "-2");
     EXPECT_EQ(text_of(DataType::time_of_day, 1), "0x000000000001");
     EXPECT_EQ(text_of(DataType::identity, 1), "");
 }

@@ -17,6 +17,7 @@ void firmware(Input input);        // an ELF, Intel HEX or S-record file that an
 void parameter_file(Input input);  // behind the line "#### catalogue" the text of every catalogue it names
 void table(Input input);           // of the governor; behind the line "#### gateway" of the gateway
 void scenario(Input input);        // a scenario file, for the plant of samples/genset.toml
+void xdd(Input input);             // an XDD or XDC
 
 // How inputs are changed so that the change gets past the first check: bytes at random alone would only ever
 // show that checksums work. Each takes `size` bytes in `data`, which has room for `limit`, and returns how
@@ -37,9 +38,13 @@ struct Target {
 };
 
 inline constexpr Target targets[] = {
-    {"image", image, mutate_image},          {"decompile", decompile, mutate_image},
-    {"firmware", firmware, mutate_firmware}, {"parameter_file", parameter_file, mutate_text},
-    {"table", table, mutate_text},           {"scenario", scenario, mutate_text},
+    {"image", image, mutate_image},
+    {"decompile", decompile, mutate_image},
+    {"firmware", firmware, mutate_firmware},
+    {"parameter_file", parameter_file, mutate_text},
+    {"table", table, mutate_text},
+    {"scenario", scenario, mutate_text},
+    {"xdd", xdd, mutate_text},
 };
 
 // nullptr: there is none of that name.

@@ -14,7 +14,7 @@ namespace {
 using dictionary::Commissioning;
 using dictionary::Dictionary;
 
-constexpr std::uint32_t rounds = 300;
+constexpr std::uint32_t rounds = 100;
 
 Dictionary held(Dictionary dictionary) {
     std::erase_if(dictionary.supported_dummies, [](std::uint8_t type) { return type > 7; });
