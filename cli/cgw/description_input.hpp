@@ -1,4 +1,4 @@
-// Descriptions of devices as verbs take them: EDS, DCF, parameter files, images.
+// Descriptions of devices as verbs take them: EDS, DCF, XDD, XDC, parameter files, images.
 #pragma once
 
 #include <cstdint>

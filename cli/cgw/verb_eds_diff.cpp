@@ -19,7 +19,7 @@ std::vector<Word> format_words() {
 
 constexpr Option eds_diff_options[] = {
     {.names = "A",
-     .summary = "EDS, DCF, parameter file or image; - is standard input",
+     .summary = "EDS, DCF, XDD, XDC, parameter file or image; - is standard input",
      .required = true,
      .completes = Completes::files},
     {.names = "B", .summary = "the same, to compare with", .required = true, .completes = Completes::files},

@@ -4,14 +4,30 @@ namespace cgw::cli {
 
 std::span<const Verb* const> all_verbs() {
     static constexpr const Verb* verbs[] = {
-        &check_verb,        &build_verb,           &emit_verb,
-        &list_verb,         &explain_verb,         &schema_verb,
-        &new_verb,          &import_table_verb,    &import_eds_verb,
-        &image_verify_verb, &image_inspect_verb,   &image_annotate_verb,
-        &image_diff_verb,   &image_decompile_verb, &image_embed_verb,
-        &eds_check_verb,    &eds_fix_verb,         &eds_diff_verb,
-        &diff_verb,         &clone_verb,           &verify_verb,
-        &hub_verb,          &simulate_verb,
+        &check_verb,
+        &build_verb,
+        &emit_verb,
+        &list_verb,
+        &explain_verb,
+        &schema_verb,
+        &new_verb,
+        &import_table_verb,
+        &import_eds_verb,
+        &image_verify_verb,
+        &image_inspect_verb,
+        &image_annotate_verb,
+        &image_diff_verb,
+        &image_decompile_verb,
+        &image_embed_verb,
+        &eds_check_verb,
+        &eds_fix_verb,
+        &eds_diff_verb,
+        &convert_verb,
+        &diff_verb,
+        &clone_verb,
+        &verify_verb,
+        &hub_verb,
+        &simulate_verb,
     };
     return verbs;
 }

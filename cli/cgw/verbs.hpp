@@ -25,6 +25,7 @@ extern const Verb image_embed_verb;
 extern const Verb eds_check_verb;
 extern const Verb eds_fix_verb;
 extern const Verb eds_diff_verb;
+extern const Verb convert_verb;
 extern const Verb verify_verb;
 extern const Verb hub_verb;
 extern const Verb simulate_verb;

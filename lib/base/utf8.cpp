@@ -38,6 +38,31 @@ std::uint32_t code_point(std::string_view character) {
     return value;
 }
 
+bool is_utf8(std::string_view text) {
+    while (!text.empty()) {
+        const std::size_t length = utf8_sequence_length(text);
+        if (length == 0) {
+            return false;
+        }
+        text.remove_prefix(length);
+    }
+    return true;
+}
+
+std::string from_latin_1(std::string_view text) {
+    std::string result;
+    for (const char c : text) {
+        const auto byte = static_cast<unsigned char>(c);
+        if (byte < 0x80) {
+            result += c;
+        } else {
+            result += static_cast<char>(0xC0U | byte >> 6U);
+            result += static_cast<char>(0x80U | (byte & 0x3FU));
+        }
+    }
+    return result;
+}
+
 }  // namespace
 
 std::size_t utf8_sequence_length(std::string_view text) {
@@ -101,6 +126,10 @@ std::string printable(std::string_view text) {
         text.remove_prefix(character.size());
     }
     return result;
+}
+
+std::string to_utf8(std::string_view text) {
+    return is_utf8(text) ? std::string(text) : from_latin_1(text);
 }
 
 }  // namespace cgw::base

@@ -10,6 +10,9 @@ namespace cgw::base {
 // Bytes of the character at the start of `text`, 1..4; 0 when it is not well-formed or `text` is empty.
 std::size_t utf8_sequence_length(std::string_view text);
 
+// A text that is UTF-8 as it is, any other one taken as Latin-1.
+std::string to_utf8(std::string_view text);
+
 // Columns that UTF-8 text takes on a terminal; every character counts one.
 std::size_t width_of(std::string_view text);
 

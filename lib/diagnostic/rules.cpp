@@ -30,6 +30,8 @@ std::string_view language_of(Example example) {
         case Example::data_sheet:
         case Example::data_sheet_lines:
             return "ini";
+        case Example::device_description:
+            return "xml";
     }
     return "";
 }
@@ -219,6 +221,19 @@ const Rule* const table[] = {
     &eds_node_id_absent,
     &eds_sdo_server,
     &eds_heartbeat_consumer,
+    &xdd_text,
+    &xdd_root,
+    &xdd_absent,
+    &xdd_value,
+    &xdd_number_range,
+    &xdd_number_form,
+    &xdd_data_type,
+    &xdd_object_type,
+    &xdd_access,
+    &xdd_no_access,
+    &xdd_reference,
+    &xdd_contradiction,
+    &xdd_twice,
     &dbc_text,
     &dbc_statement,
     &dbc_twice,

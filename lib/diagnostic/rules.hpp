@@ -25,7 +25,8 @@ enum class Example {
     firmware,          // an Intel HEX file into which an image is put at 0x08010000
     data_sheet,        // sections of an EDS or DCF, as they are read
     data_sheet_lines,  // lines of one, on top of an EDS that keeps all rules; behind `; ` one that goes away
-    database,          // a CAN database
+    device_description,  // parameters and objects of an XDD
+    database,            // a CAN database
 };
 
 // The language of such an example, as Markdown names it behind a fence: "toml", "text".
@@ -250,6 +251,21 @@ CGW_RULE(eds_cob_id_form);
 CGW_RULE(eds_node_id_absent);
 CGW_RULE(eds_sdo_server);
 CGW_RULE(eds_heartbeat_consumer);
+
+// E09: XDD and XDC, as they are read
+CGW_RULE(xdd_text);
+CGW_RULE(xdd_root);
+CGW_RULE(xdd_absent);
+CGW_RULE(xdd_value);
+CGW_RULE(xdd_number_range);
+CGW_RULE(xdd_number_form);
+CGW_RULE(xdd_data_type);
+CGW_RULE(xdd_object_type);
+CGW_RULE(xdd_access);
+CGW_RULE(xdd_no_access);
+CGW_RULE(xdd_reference);
+CGW_RULE(xdd_contradiction);
+CGW_RULE(xdd_twice);
 
 // E10: CAN databases (DBC)
 CGW_RULE(dbc_text);

@@ -15,11 +15,12 @@
 #include "driver/report_unreadable.hpp"
 #include "image_writer/dictionary_of.hpp"
 #include "toml/document.hpp"
+#include "xdd/reader.hpp"
 
 namespace cgw::driver {
 namespace {
 
-constexpr std::array<std::string_view, 4> kind_names{"EDS", "DCF", "parameter file", "image"};
+constexpr std::array<std::string_view, 6> kind_names{"EDS", "DCF", "parameter file", "image", "XDD", "XDC"};
 
 bool is_image(std::string_view bytes) {
     return bytes.starts_with(
@@ -79,6 +80,19 @@ void take_data_sheet(DeviceDescription& description, std::string text) {
     description.sources = std::move(file.sources);
 }
 
+void take_xml(DeviceDescription& description, std::string text) {
+    xdd::Sheet sheet = xdd::read(text, description.path, description.findings);
+    description.findings.sort();
+    description.sources.emplace(description.path, std::move(text));
+    description.kind =
+        sheet.commissioning ? DescriptionKind::xml_configuration : DescriptionKind::xml_description;
+    description.dictionary = std::move(sheet.dictionary);
+    description.commissioning = std::move(sheet.commissioning);
+    if (description.commissioning) {
+        description.node_id = description.commissioning->node_id;
+    }
+}
+
 }  // namespace
 
 std::string_view to_text(DescriptionKind kind) {
@@ -93,6 +107,8 @@ base::Result<DeviceDescription> read_device_description(const std::string& path)
         description.unreadable = report_unreadable(path, text.error(), description.findings);
     } else if (is_image(*text)) {
         take_image(description, *text);
+    } else if (xdd::is_xml(*text)) {
+        take_xml(description, std::move(*text));
     } else if (is_parameter_file(eds::Document(*text))) {
         if (const auto taken = take_parameter_file(description, std::move(*text)); !taken) {
             return tl::unexpected(taken.error());

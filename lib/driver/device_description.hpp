@@ -14,7 +14,14 @@
 namespace cgw::driver {
 
 // What kind a file is, is told from its content.
-enum class DescriptionKind : std::uint8_t { data_sheet, configuration_file, parameter_file, image };
+enum class DescriptionKind : std::uint8_t {
+    data_sheet,
+    configuration_file,
+    parameter_file,
+    image,
+    xml_description,
+    xml_configuration,
+};
 
 std::string_view to_text(DescriptionKind kind);  // "EDS", "parameter file"
 constexpr bool is_data_sheet(DescriptionKind kind) {
@@ -36,8 +43,8 @@ struct DeviceDescription {
     bool valid() const { return !unreadable && !findings.has_errors(); }
 };
 
-// An EDS or DCF, a parameter file, or a configuration image. Path "-" is standard input. A parameter file
-// must pass every check. Fails on a malformed SOURCE_DATE_EPOCH.
+// An EDS or DCF, an XDD or XDC, a parameter file, or a configuration image. Path "-" is standard input. A
+// parameter file must pass every check. Fails on a malformed SOURCE_DATE_EPOCH.
 base::Result<DeviceDescription> read_device_description(const std::string& path);
 
 }  // namespace cgw::driver

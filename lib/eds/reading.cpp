@@ -3,12 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <bit>
-#include <cmath>
 
 #include "base/ascii.hpp"
 #include "base/numbers.hpp"
 #include "base/utf8.hpp"
+#include "eds/reader.hpp"
+#include "eds/value_text.hpp"
 
 namespace cgw::eds {
 namespace {
@@ -23,19 +23,6 @@ constexpr std::size_t longest_quote = 60;
 std::string quote(std::string_view text) {
     const bool cut = text.size() > longest_quote;
     return fmt::format("`{}{}`", base::printable(text.substr(0, longest_quote)), cut ? "..." : "");
-}
-
-std::uint64_t mask_of(unsigned bits) {
-    return bits >= 64 ? ~std::uint64_t{0} : (std::uint64_t{1} << bits) - 1;
-}
-
-// A number without sign may use all bits of a signed type: 0xFFFF is what many files write for -1.
-bool fits(const Number& number, const TypeRow& type) {
-    if (!number.negative) {
-        return number.magnitude <= mask_of(type.bits);
-    }
-    return type.kind == TypeKind::integer ? number.magnitude <= std::uint64_t{1} << (type.bits - 1)
-                                          : number.magnitude == 0;
 }
 
 }  // namespace
@@ -170,18 +157,21 @@ std::optional<std::uint64_t> Reading::number(std::uint32_t line, std::uint64_t h
     return number.magnitude;
 }
 
+void Reading::report_too_large(std::uint32_t line, const TypeRow& type) {
+    report(rules::eds_number_range, document.value_span(line),
+           fmt::format("{}, which is too large for {}", quoted_value(line), type.name));
+}
+
 std::optional<Value> Reading::numeric(std::uint32_t line, const TypeRow& type) {
     const Number number = parse_number(document.value(line));
     if (!judge(number, line)) {
         return std::nullopt;
     }
-    if (number.reading == Number::Reading::too_large || !fits(number, type)) {
-        report(rules::eds_number_range, document.value_span(line),
-               fmt::format("{}, which is too large for {}", quoted_value(line), type.name));
-        return std::nullopt;
+    const std::optional<Value> value = value_of(number, type);
+    if (!value) {
+        report_too_large(line, type);
     }
-    const std::uint64_t bits = number.negative ? ~number.magnitude + 1 : number.magnitude;
-    return Value{bits & mask_of(type.bits), number.node_id_relative};
+    return value;
 }
 
 // As a decimal number, or the bits of it in hexadecimal.
@@ -196,36 +186,26 @@ std::optional<Value> Reading::real(std::uint32_t line, const TypeRow& type) {
                fmt::format("{}, which is no number", quoted_value(line)));
         return std::nullopt;
     }
-    if (type.bits == 64) {
-        return Value{std::bit_cast<std::uint64_t>(*number)};
+    const std::optional<Value> value = real_value(*number, type);
+    if (!value) {
+        report_too_large(line, type);
     }
-    const auto narrow = static_cast<float>(*number);
-    if (!std::isfinite(narrow)) {
-        report(rules::eds_number_range, document.value_span(line),
-               fmt::format("{}, which is too large for {}", quoted_value(line), type.name));
-        return std::nullopt;
-    }
-    return Value{std::bit_cast<std::uint32_t>(narrow)};
+    return value;
 }
 
 // Pairs of hexadecimal digits; blanks between them are passed over.
 std::optional<Value> Reading::octets(std::uint32_t line) {
-    std::string digits(document.value(line));
-    std::erase(digits, ' ');
-    Value value;
-    if (digits.size() % 2 != 0 || !base::consists_of(digits, base::hexadecimal_digits)) {
+    std::optional<std::string> bytes = octets_of(document.value(line));
+    if (!bytes) {
         report(rules::eds_value, document.value_span(line),
                fmt::format("{}, which is not pairs of hexadecimal digits", quoted_value(line)));
         return std::nullopt;
     }
-    if (digits.size() != document.value(line).size()) {
+    if (2 * bytes->size() != document.value(line).size()) {
         report(rules::eds_number_form, document.value_span(line),
                fmt::format("{}: blanks stand between the digits", quoted_value(line)));
     }
-    for (std::size_t i = 0; i < digits.size(); i += 2) {
-        value.bytes += static_cast<char>(*base::parse_integer(digits.substr(i, 2), 16));
-    }
-    return value;
+    return Value{0, false, std::move(*bytes)};
 }
 
 std::optional<Value> Reading::value(std::uint32_t line, const TypeRow& type) {

@@ -113,6 +113,7 @@ class Reading {
         return plain || complain(number, line);
     }
     bool complain(const Number& number, std::uint32_t line);
+    void report_too_large(std::uint32_t line, const dictionary::TypeRow& type);
     std::optional<dictionary::Value> numeric(std::uint32_t line, const dictionary::TypeRow& type);
     std::optional<dictionary::Value> real(std::uint32_t line, const dictionary::TypeRow& type);
     std::optional<dictionary::Value> octets(std::uint32_t line);

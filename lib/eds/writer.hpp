@@ -1,20 +1,22 @@
 // A dictionary as an electronic data sheet (CiA 306), or as the device configuration file of one node: CRLF,
-// ASCII, only the keys that strict importers know.
+// only the keys that strict importers know. What is written reads back as the same dictionary, but for what
+// docs/conversions.md lists.
 //
 // Sections: FileInfo, DeviceInfo, DummyUsage, Comments, then MandatoryObjects, OptionalObjects and
 // ManufacturerObjects, each list followed by the sections of its objects in ascending order, sub-objects
-// after their object.
+// after their object; then the modules of a modular device. A key that is optional and says nothing is left
+// out.
 //
-// Numbers: default values and limits are hexadecimal in the full width of their type (0x04, 0x0006,
-// 0x00000161; negative ones as two's complement), values that follow the node number $NODEID+0x180. Object
-// codes are 0x7, 0x8, 0x9, data types and indices four digits. Counts, flags and versions are decimal.
+// Values of objects: eds/value_text.hpp. Object codes are 0x7, 0x8, 0x9, data types and indices four digits.
+// Counts, flags and versions are decimal.
 //
-// A configuration file differs in these: LastEDS, [DeviceComissioning] (the standard's own spelling), every
-// $NODEID resolved, and a ParameterValue, equal to the default, wherever the value does not change at run
-// time.
+// A configuration file differs in these: LastEDS, [DeviceComissioning] (the standard's own spelling),
+// [ConnectedModules], and of each object ParameterValue, Denotation, UploadFile and DownloadFile. Values that
+// follow the node number stay so; dictionary/node.hpp resolves them.
 //
 // Texts: brought to ASCII, ';' becomes ',' (importers cut values there), cut where the line would exceed 255
-// characters, which is where each length limit of CiA 306 for a text comes from.
+// characters, which is where each length limit of CiA 306 for a text comes from. Values that are strings are
+// neither cut nor changed, but for line ends, which become blanks.
 #pragma once
 
 #include <string>

@@ -1,6 +1,7 @@
 #include "eds/writer.hpp"
 #include "emit/artefacts.hpp"
 #include "profile/gateway.hpp"
+#include "xdd/writer.hpp"
 
 namespace cgw::emit {
 
@@ -8,6 +9,12 @@ base::Bytes emit_eds(const Plant& plant, const Options& options) {
     dictionary::Dictionary dictionary = plant.dictionary;
     dictionary.file.file_name = options.eds_name;
     return base::to_bytes(eds::write(dictionary));
+}
+
+base::Bytes emit_xdd(const Plant& plant, const Options& options) {
+    dictionary::Dictionary dictionary = plant.dictionary;
+    dictionary.file.file_name = file_name(*find_format(*find_emitter("xdd"), ""), options);
+    return base::to_bytes(xdd::write(dictionary));
 }
 
 base::Bytes emit_generic_eds(const Origin& origin, const Options& options) {

@@ -14,7 +14,7 @@ constexpr std::string_view eds_ending = ".eds";
 constexpr std::size_t longest_name = 64;
 
 // Behind --eds-name a slip: "x.dcf" would become "x.dcf.eds".
-constexpr std::array<std::string_view, 4> other_endings{".dcf", ".dbc", ".xdd", ".xdc"};
+constexpr std::array<std::string_view, 5> other_endings{".dcf", ".dbc", ".xdd", ".xdc", ".cdcf"};
 
 bool is_allowed(char c) {
     constexpr std::string_view others = " ._-";

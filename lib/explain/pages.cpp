@@ -128,7 +128,8 @@ std::string checks_page(const Catalogue&) {
         "to E0817 are sections of an EDS, those of E0820 on lines on top of an EDS that keeps all rules: a "
         "line replaces\n"
         "the one with its key, and `; DefaultValue=` stands for a line, `; [2001sub2]` for a section that "
-        "is not there.\n\n";
+        "is not there; those of E09 are\n"
+        "parameters and objects of an XDD, those of E10 CAN databases.\n\n";
     std::string list = render_markdown(check_list(), heading_of_group);
     for (const Rule* rule : diagnostic::all_rules()) {
         list = replaced(list, fmt::format("| {} |", rule->code),

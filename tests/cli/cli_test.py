@@ -25,7 +25,8 @@ CLEAN_GENSET = """: valid, no findings
   - other nodes: identifiers beyond the default ones of 1, 11
   - both devices: whether they hold these values; compare in DcDesk
 """
-ARTEFACTS = ["CANopenGateway.dbc", "CANopenGateway.dcf", "CANopenGateway.eds", "entry-sheet.csv",
+ARTEFACTS = ["CANopenGateway.cdcf", "CANopenGateway.dbc", "CANopenGateway.dcf", "CANopenGateway.eds",
+             "CANopenGateway.xdc", "CANopenGateway.xdd", "entry-sheet.csv",
              "entry-sheet.html", "entry-sheet.md", "gateway-config.bin", "pdo-table.csv", "pdo-table.json", "pdo-table.md"]
 
 
@@ -427,7 +428,7 @@ class Usage(Verb):
         self.assert_usage("--generic takes no FILE", "emit", "eds", GENSET, "--generic")
         self.assert_usage("--generic is an option of eds, not of dcf", "emit", "dcf", "--generic")
         self.assert_usage("FILE is missing", "emit", "eds")
-        self.assert_usage("--eds-name is an option of eds, dcf, dbc, not of image", "emit", "image", GENSET,
+        self.assert_usage("--eds-name is an option of eds, dcf, xdd, xdc, concise-dcf, dbc, not of image", "emit", "image", GENSET,
                           "--eds-name", "x")
         for name in ("../x", "a/b.eds", "", ".eds", "x;y", "Gr\u00f6\u00dfe", "x.dcf", "x.xdd"):
             self.assert_usage("is no name for a data sheet", "emit", "eds", GENSET, "--eds-name", name)
@@ -618,7 +619,8 @@ class Emit(Verb):
     def test_standard_output_and_file_are_the_same(self):
         cgw("build", GENSET, "-o", self.dir / "built")
         for arguments, name in ((["eds"], "CANopenGateway.eds"), (["dcf"], "CANopenGateway.dcf"),
-                                (["dbc"], "CANopenGateway.dbc"), (["image"], "gateway-config.bin"),
+                                (["dbc"], "CANopenGateway.dbc"), (["xdd"], "CANopenGateway.xdd"),
+                                (["xdc"], "CANopenGateway.xdc"), (["image"], "gateway-config.bin"),
                                 (["pdo-table", "--format", "md"], "pdo-table.md"),
                                 (["pdo-table", "--format", "csv"], "pdo-table.csv"),
                                 (["pdo-table", "--format", "json"], "pdo-table.json")):

@@ -27,7 +27,7 @@ dictionary::Side side_of(const DeviceDescription& description) {
 
 }  // namespace
 
-TEST(DeviceDescription, is_the_same_from_parameter_file_eds_dcf_and_image) {
+TEST(DeviceDescription, is_the_same_from_parameter_file_eds_dcf_xdd_xdc_and_image) {
     const test::ScratchDirectory directory;
     const auto plant = read_device_description(CGW_SAMPLES "/genset.toml");
     ASSERT_TRUE(plant->valid());
@@ -35,7 +35,9 @@ TEST(DeviceDescription, is_the_same_from_parameter_file_eds_dcf_and_image) {
     EXPECT_EQ(plant->node_id, 12);
     const std::pair<std::string, DescriptionKind> kinds[] = {{"eds", DescriptionKind::data_sheet},
                                                              {"dcf", DescriptionKind::configuration_file},
-                                                             {"image", DescriptionKind::image}};
+                                                             {"image", DescriptionKind::image},
+                                                             {"xdd", DescriptionKind::xml_description},
+                                                             {"xdc", DescriptionKind::xml_configuration}};
     for (const auto& [emitter, kind] : kinds) {
         const auto read = read_device_description(artefact(directory, emitter));
         ASSERT_TRUE(read->valid()) << emitter;

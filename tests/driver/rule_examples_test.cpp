@@ -17,6 +17,7 @@
 #include "firmware_file/embed.hpp"
 #include "support/scratch_directory.hpp"
 #include "support/valid_data_sheet.hpp"
+#include "xdd/reading_result.hpp"
 
 namespace cgw::driver {
 namespace {
@@ -131,6 +132,15 @@ diagnostic::Findings findings_in_checked_sheet(const std::string& text) {
     return findings;
 }
 
+// What reading these parameters, and the objects behind them, as an XDD finds.
+diagnostic::Findings findings_in_device_description(const std::string& text) {
+    const std::size_t objects = text.find("<CANopenObject");
+    diagnostic::Findings findings;
+    xdd::read(test::device_description(text.substr(0, objects), text.substr(objects)), "example.xdd",
+              findings);
+    return findings;
+}
+
 diagnostic::Findings findings_of(Example kind, std::string_view example) {
     switch (kind) {
         case Example::none:
@@ -153,6 +163,8 @@ diagnostic::Findings findings_of(Example kind, std::string_view example) {
             return findings_in_database(example);
         case Example::data_sheet_lines:
             return findings_in_checked_sheet(test::data_sheet_with(example));
+        case Example::device_description:
+            return findings_in_device_description(std::string(example));
     }
     return {};
 }
@@ -198,10 +210,10 @@ TEST(RuleExampleKinds, without_examples_are_the_rules_that_nothing_printed_can_b
     for (const Rule* rule : diagnostic::all_rules()) {
         names += rule->example == Example::none ? fmt::format("{} ", rule->name) : "";
     }
-    EXPECT_EQ(
-        names,
-        "file-unreadable file-too-large file-not-utf8 elf-structure firmware-section firmware-address "
-        "image-alignment image-room image-refused image-model image-elsewhere eds-text eds-too-much eds-byte-order-mark eds-line-ends ");
+    EXPECT_EQ(names,
+              "file-unreadable file-too-large file-not-utf8 elf-structure firmware-section firmware-address "
+              "image-alignment image-room image-refused image-model image-elsewhere eds-text eds-too-much "
+              "eds-byte-order-mark eds-line-ends xdd-text xdd-root ");
 }
 
 }  // namespace

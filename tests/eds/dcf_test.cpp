@@ -1,6 +1,7 @@
 // The device configuration file: what it has beyond the data sheet of the same dictionary.
 #include <gtest/gtest.h>
 
+#include "dictionary/node.hpp"
 #include "eds/document.hpp"
 #include "eds/writer.hpp"
 #include "profile/gateway.hpp"
@@ -19,6 +20,10 @@ dictionary::Dictionary gateway() {
     return profile::gateway_dictionary(test::manual_configuration(), {});
 }
 
+dictionary::Dictionary configured_gateway() {
+    return dictionary::of_node(gateway(), 12);
+}
+
 dictionary::Commissioning node_12() {
     dictionary::Commissioning node;
     node.last_eds = "plant.eds";
@@ -32,7 +37,7 @@ dictionary::Commissioning node_12() {
 }  // namespace
 
 TEST(Dcf, names_its_data_sheet_and_its_node) {
-    const Document document(write(gateway(), node_12()));
+    const Document document(write(configured_gateway(), node_12()));
     EXPECT_EQ(entry(document, "FileInfo", "LastEDS"), "plant.eds");
     EXPECT_EQ(entry(document, "DeviceComissioning", "NodeID"), "12");
     EXPECT_EQ(entry(document, "DeviceComissioning", "NodeName"), "Groesse");
@@ -46,13 +51,14 @@ TEST(Dcf, names_its_data_sheet_and_its_node) {
 TEST(Dcf, leaves_an_unknown_bit_rate_out) {
     dictionary::Commissioning node = node_12();
     node.bit_rate_kbit.reset();
-    EXPECT_EQ(entry(Document(write(gateway(), node)), "DeviceComissioning", "Baudrate"), "(missing)");
+    EXPECT_EQ(entry(Document(write(configured_gateway(), node)), "DeviceComissioning", "Baudrate"),
+              "(missing)");
 }
 
 TEST(Dcf, resolves_the_node_number) {
-    const std::string text = write(gateway(), node_12());
+    const std::string text = write(configured_gateway(), node_12());
     EXPECT_EQ(text.find("$NODEID"), std::string::npos);
-    const Document document(write(gateway(), node_12()));
+    const Document document(write(configured_gateway(), node_12()));
     EXPECT_EQ(entry(document, "1200sub1", "ParameterValue"), "0x0000060C");
     EXPECT_EQ(entry(document, "1200sub1", "DefaultValue"), "0x0000060C");
     EXPECT_EQ(entry(document, "1802sub1", "ParameterValue"), "0x8000038C");  // inactive
@@ -60,7 +66,7 @@ TEST(Dcf, resolves_the_node_number) {
 }
 
 TEST(Dcf, states_values_but_for_those_that_change_at_run_time) {
-    const Document document(write(gateway(), node_12()));
+    const Document document(write(configured_gateway(), node_12()));
     EXPECT_EQ(entry(document, "1000", "ParameterValue"), "0x00000000");
     EXPECT_EQ(entry(document, "1A03sub1", "ParameterValue"), "0x20010110");
     EXPECT_EQ(entry(document, "2001sub0", "ParameterValue"), entry(document, "2001sub0", "DefaultValue"));
@@ -73,7 +79,7 @@ TEST(Dcf, states_values_but_for_those_that_change_at_run_time) {
 
 TEST(Dcf, differs_from_the_data_sheet_in_nothing_else) {
     const Document sheet(write(gateway()));
-    const Document file(write(gateway(), node_12()));
+    const Document file(write(configured_gateway(), node_12()));
     EXPECT_EQ(file.sections().size(), sheet.sections().size() + 1);
     for (const Section& section : sheet.sections()) {
         const std::string_view name = sheet.name(section);

@@ -45,9 +45,9 @@ TEST(EdsWriter, writes_numbers_in_the_width_of_their_type) {
     EXPECT_EQ(default_text(variable(DataType::unsigned8, 4)), "0x04");
     EXPECT_EQ(default_text(variable(DataType::unsigned16, 0xAB)), "0x00AB");
     EXPECT_EQ(default_text(variable(DataType::unsigned32, 0x80000003)), "0x80000003");
-    EXPECT_EQ(default_text(variable(DataType::integer8, static_cast<std::uint32_t>(-1))), "0xFF");
-    EXPECT_EQ(default_text(variable(DataType::integer16, static_cast<std::uint32_t>(-2))), "0xFFFE");
-    EXPECT_EQ(default_text(variable(DataType::integer32, static_cast<std::uint32_t>(-2))), "0xFFFFFFFE");
+    EXPECT_EQ(default_text(variable(DataType::integer8, static_cast<std::uint32_t>(-1))), "-1");
+    EXPECT_EQ(default_text(variable(DataType::integer16, static_cast<std::uint32_t>(-2))), "-2");
+    EXPECT_EQ(default_text(variable(DataType::integer32, static_cast<std::uint32_t>(-2))), "-2");
 }
 
 TEST(EdsWriter, puts_the_node_number_first) {

@@ -45,7 +45,7 @@ TEST(EdsName, is_refused_with_the_reason) {
     for (const std::string name : {"x ", "x .eds", "x.", "x..eds"}) {
         EXPECT_TRUE(contains(accepted(name), "no blank or point stands before .eds")) << name;
     }
-    for (const std::string ending : {".dcf", ".dbc", ".xdd", ".xdc"}) {
+    for (const std::string ending : {".dcf", ".dbc", ".xdd", ".xdc", ".cdcf"}) {
         EXPECT_EQ(accepted("x" + ending), "refused: 'x" + ending +
                                               "' is no name for a data sheet: " + ending +
                                               " names another kind of file; leave it out, or write .eds");

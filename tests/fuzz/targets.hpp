@@ -18,6 +18,7 @@ void parameter_file(Input input);  // behind the line "#### catalogue" the text 
 void table(Input input);           // of the governor; behind the line "#### gateway" of the gateway
 void scenario(Input input);        // a scenario file, for the plant of samples/genset.toml
 void eds(Input input);             // an EDS or DCF of any device
+void xdd(Input input);             // an XDD or XDC
 
 // How inputs are changed so that the change gets past the first check: bytes at random alone would only ever
 // show that checksums work. Each takes `size` bytes in `data`, which has room for `limit`, and returns how
@@ -45,6 +46,7 @@ inline constexpr Target targets[] = {
     {"table", table, mutate_text},
     {"scenario", scenario, mutate_text},
     {"eds", eds, mutate_text},
+    {"xdd", xdd, mutate_text},
 };
 
 // nullptr: there is none of that name.

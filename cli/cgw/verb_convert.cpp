@@ -1,0 +1,140 @@
+#include <fmt/format.h>
+
+#include <filesystem>
+
+#include "cli/cgw/description_input.hpp"
+#include "cli/cgw/exit_codes.hpp"
+#include "cli/cgw/output_file.hpp"
+#include "cli/cgw/shared_options.hpp"
+#include "cli/cgw/terminal.hpp"
+#include "cli/cgw/verbs.hpp"
+#include "convert/formats.hpp"
+#include "convert/unread.hpp"
+
+namespace cgw::cli {
+namespace {
+
+using driver::DescriptionKind;
+
+std::vector<Word> format_words() {
+    std::vector<Word> words;
+    for (const convert::Format& format : convert::formats()) {
+        words.push_back({format.name, format.summary});
+    }
+    return words;
+}
+
+constexpr Option convert_options[] = {
+    {.names = "FILE",
+     .summary = "EDS, DCF, XDD or XDC; - is standard input",
+     .required = true,
+     .completes = Completes::files},
+    {.names = "--to",
+     .value = "FORMAT",
+     .summary = "what to make of it; follows from the ending of -o",
+     .words = format_words},
+    text_output_option,
+    node_id_option,
+    color_option,
+};
+
+constexpr std::string_view convert_details =
+    "What kind FILE is, is told from its content. A file with errors is refused.\n"
+    "An EDS or XDD becomes the DCF or XDC of one node with --node-id: formulas with\n"
+    "$NODEID are resolved, and objects that no PDO carries get their defaults as\n"
+    "values. What the new format cannot hold is told on standard error, with how\n"
+    "often it was there; docs/conversions.md lists it. Vendors' own sections and\n"
+    "keys, and comment lines, are not carried over.\n"
+    "A concise DCF has those objects that can be written and whose value is not\n"
+    "their default, PDOs in the order in which a device lets itself be changed.\n";
+
+const convert::Format& format_of(const Arguments& arguments) {
+    const std::string output = arguments.value("--output");
+    if (arguments.given("--to")) {
+        return *convert::find_format(arguments.value("--to"));
+    }
+    const convert::Format* const format = convert::format_of_file(output);
+    if (format == nullptr) {
+        throw UsageError(output == "-"
+                             ? "--to is missing: nothing says what to make of the file"
+                             : fmt::format("--to is missing: the ending of {} names no format", output));
+    }
+    return *format;
+}
+
+void refuse_kind(const driver::DeviceDescription& description) {
+    if (description.kind == DescriptionKind::parameter_file) {
+        throw UsageError(fmt::format("{} is a parameter file; cgw emit makes EDS, DCF, XDD and XDC of it",
+                                     description.path));
+    }
+    if (description.kind == DescriptionKind::image) {
+        throw UsageError(
+            fmt::format("{} is a configuration image, which has no names of objects; cgw image "
+                        "decompile makes a parameter file of it",
+                        description.path));
+    }
+}
+
+void tell_unread(const driver::DeviceDescription& description) {
+    constexpr std::size_t most_names = 6;
+    const auto source = description.sources.find(description.path);
+    const bool has_sections = description.kind == DescriptionKind::data_sheet ||
+                              description.kind == DescriptionKind::configuration_file;
+    if (!has_sections || source == description.sources.end()) {
+        return;
+    }
+    std::vector<std::string> names = convert::sections_not_read(source->second);
+    if (names.empty()) {
+        return;
+    }
+    const std::size_t count = names.size();
+    names.resize(std::min(count, most_names));
+    fmt::print(stderr, "not carried over: {}{}\n", fmt::join(names, " "),
+               count > most_names ? fmt::format(" and {} more sections", count - most_names) : "");
+}
+
+void tell_losses(const convert::Product& product, const convert::Format& format) {
+    for (const convert::Loss& loss : product.losses) {
+        fmt::print(stderr, "{} does not hold: {} ({})\n", format.name, loss.row->text, loss.count);
+    }
+    if (product.resolved > 0) {
+        fmt::print(stderr, "resolved for node {}: $NODEID in default values ({})\n", product.node_id,
+                   product.resolved);
+    }
+}
+
+int run_convert(const Arguments& arguments) {
+    const std::string path = arguments.value("FILE");
+    const std::string output = arguments.value("--output");
+    const convert::Format& format = format_of(arguments);
+    const std::optional<std::uint8_t> node_id = node_id_of(arguments);
+    refuse_input_as_output(output, {path});
+    int exit_code = exit_fine;
+    driver::DeviceDescription description = load_description(arguments, path, exit_code);
+    if (!description.valid()) {
+        print_error(description.unreadable ? fmt::format("{} cannot be read; nothing is written", path)
+                                           : fmt::format("{} has errors; nothing is written", path));
+        return exit_code;
+    }
+    refuse_kind(description);
+    const std::string file_name = output == "-" ? "" : std::filesystem::path(output).filename().string();
+    const auto product = convert::convert({description.dictionary, description.commissioning},
+                                          {.format = format, .node_id = node_id, .file_name = file_name});
+    if (!product) {
+        throw UsageError(fmt::format("{}: {}", path, product.error().message));
+    }
+    if (const int written = write_text(output, {product->bytes.begin(), product->bytes.end()});
+        written != exit_fine) {
+        return written;
+    }
+    tell_unread(description);
+    tell_losses(*product, format);
+    return exit_fine;
+}
+
+}  // namespace
+
+const Verb convert_verb = {"convert", "make another form of an EDS, DCF, XDD or XDC", convert_options,
+                           run_convert, convert_details};
+
+}  // namespace cgw::cli

@@ -1,0 +1,141 @@
+#include "convert/formats.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "base/ascii.hpp"
+#include "convert/concise_dcf.hpp"
+#include "convert/writing.hpp"
+#include "dictionary/node.hpp"
+#include "eds/writer.hpp"
+#include "xdd/writer.hpp"
+
+namespace cgw::convert {
+namespace {
+
+using dictionary::Dictionary;
+using About = Format::About;
+
+base::Bytes write_eds(const Description& description) {
+    return base::to_bytes(eds::write(description.dictionary));
+}
+base::Bytes write_dcf(const Description& description) {
+    return base::to_bytes(eds::write(description.dictionary, *description.node));
+}
+base::Bytes write_xdd(const Description& description) {
+    return base::to_bytes(xdd::write(description.dictionary));
+}
+base::Bytes write_xdc(const Description& description) {
+    return base::to_bytes(xdd::write(description.dictionary, *description.node));
+}
+base::Bytes write_concise_dcf(const Description& description) {
+    return concise_dcf(downloads(description.dictionary, description.node->node_id));
+}
+
+constexpr std::array table{
+    Format{"eds", "electronic data sheet (CiA 306)", ".eds", Medium::eds, About::device, write_eds},
+    Format{"dcf", "device configuration file of one node (CiA 306)", ".dcf", Medium::dcf, About::node,
+           write_dcf},
+    Format{"xdd", "XML device description (CiA 311)", ".xdd", Medium::xdd, About::device, write_xdd},
+    Format{"xdc", "XML configuration of one node (CiA 311)", ".xdc", Medium::xdc, About::node, write_xdc},
+    Format{"concise-dcf", "what a manager writes into the node at boot (CiA 302, 1F22h)", ".cdcf",
+           std::nullopt, About::node, write_concise_dcf},
+    Format{"json", "all of it, for programs (schemas/device-description.schema.json)", ".json", std::nullopt,
+           About::either, write_json},
+    Format{"md", "table of the objects, in Markdown", ".md", std::nullopt, About::either, write_markdown},
+    Format{"csv", "table of the objects, for spreadsheets", ".csv", std::nullopt, About::either, write_csv},
+};
+
+std::size_t count_relative(const Dictionary& dictionary) {
+    std::size_t count = 0;
+    for (const dictionary::Object& object : dictionary.objects) {
+        for (const dictionary::Variable& variable : object.variables) {
+            count += variable.default_value.node_id_relative ? 1U : 0U;
+        }
+    }
+    return count;
+}
+
+dictionary::Commissioning new_node(const Dictionary& dictionary, std::uint8_t node_id) {
+    constexpr std::uint16_t identity = 0x1018;
+    constexpr std::uint8_t serial_number = 4;
+    dictionary::Commissioning node;
+    node.last_eds = dictionary.file.file_name;
+    node.node_id = node_id;
+    node.node_name = dictionary.device.product_name;
+    const dictionary::Variable* const serial = dictionary.find(identity, serial_number);
+    node.serial_number = serial != nullptr ? static_cast<std::uint32_t>(serial->default_value.number) : 0;
+    return node;
+}
+
+// The description of a kind of device becomes that of one node of it.
+base::Result<void> make_node(Description& description, const Request& request, Product& product) {
+    if (!description.node) {
+        if (request.format.write == write_concise_dcf) {
+            return base::failure(
+                "the file says of no node which values it has; a concise DCF is made of a DCF or XDC");
+        }
+        if (!request.node_id) {
+            return base::failure(
+                fmt::format("--node-id is needed: {} is about one node, and the file does not say which",
+                            request.format.name));
+        }
+        description.node = new_node(description.dictionary, *request.node_id);
+        product.resolved = count_relative(description.dictionary);
+        description.dictionary = dictionary::of_node(std::move(description.dictionary), *request.node_id);
+    } else if (description.node->node_id == 0 && !request.node_id) {
+        return base::failure("--node-id is needed: the file leaves the node number open");
+    }
+    if (request.node_id && description.node->node_id == 0) {
+        description.node->node_id = *request.node_id;
+    }
+    product.node_id = description.node->node_id;
+    return {};
+}
+
+}  // namespace
+
+std::span<const Format> formats() {
+    return table;
+}
+
+const Format* find_format(std::string_view name) {
+    const auto* const found =
+        std::find_if(table.begin(), table.end(), [name](const Format& each) { return each.name == name; });
+    return found != table.end() ? found : nullptr;
+}
+
+const Format* format_of_file(std::string_view file_name) {
+    const auto* const found = std::find_if(table.begin(), table.end(), [file_name](const Format& each) {
+        return file_name.size() > each.ending.size() &&
+               base::equal_ignoring_case(file_name.substr(file_name.size() - each.ending.size()),
+                                         each.ending);
+    });
+    return found != table.end() ? found : nullptr;
+}
+
+base::Result<Product> convert(Description description, const Request& request) {
+    Product product;
+    const bool has_node = description.node && description.node->node_id != 0;
+    if (has_node && request.node_id && *request.node_id != description.node->node_id) {
+        return base::failure(
+            fmt::format("the file is about node {}; leave --node-id out", description.node->node_id));
+    }
+    if (request.format.about == About::node) {
+        if (const auto made = make_node(description, request, product); !made) {
+            return tl::unexpected(made.error());
+        }
+    }
+    if (request.format.medium) {
+        product.losses = lose(description, *request.format.medium);
+        if (!request.file_name.empty()) {
+            description.dictionary.file.file_name = request.file_name;
+        }
+    }
+    product.bytes = request.format.write(description);
+    return product;
+}
+
+}  // namespace cgw::convert

@@ -1,0 +1,49 @@
+// What a description of a device can be converted to: one row each. `cgw convert`, its help and
+// docs/conversions.md list them.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/bytes.hpp"
+#include "base/result.hpp"
+#include "convert/description.hpp"
+#include "convert/losses.hpp"
+
+namespace cgw::convert {
+
+struct Format {
+    std::string_view name;         // "dcf"
+    std::string_view summary;      // one line
+    std::string_view ending;       // ".dcf"
+    std::optional<Medium> medium;  // what it loses; nothing for what is not meant to be read back
+    // What it is about: a kind of device, one node, or either.
+    enum class About : std::uint8_t { device, node, either } about;
+    base::Bytes (*write)(const Description& description);
+};
+
+std::span<const Format> formats();
+const Format* find_format(std::string_view name);          // nullptr: there is none
+const Format* format_of_file(std::string_view file_name);  // by its ending, whatever the case
+
+struct Request {
+    const Format& format;
+    std::optional<std::uint8_t> node_id{};  // 1..127; of a description that says none
+    std::string file_name{};  // of the product, where it states its name; "" keeps that of the source
+};
+
+struct Product {
+    base::Bytes bytes;
+    std::vector<Loss> losses;
+    std::size_t resolved = 0;  // values that followed the node number, and do no more
+    std::uint8_t node_id = 0;  // for which they are resolved
+};
+
+// A failure says what the description lacks for that format.
+base::Result<Product> convert(Description description, const Request& request);
+
+}  // namespace cgw::convert

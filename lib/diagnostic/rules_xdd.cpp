@@ -1,0 +1,209 @@
+// E0901..E0913: XML device descriptions and configurations (XDD, XDC).
+#include "diagnostic/rules.hpp"
+
+namespace cgw::diagnostic::rules {
+
+const Rule xdd_text{.code = "E0901",
+                    .name = "xdd-text",
+                    .level = Level::error,
+                    .summary = "an XDD or XDC is well-formed XML in UTF-8",
+                    .reference = "",
+                    .why =
+                        "Nothing can be read from another kind of file, or from one that was damaged on its "
+                        "way. A document type (DOCTYPE) is refused as well: a device description has none, "
+                        "and what it declares could make other files part of this one.",
+                    .example = Example::none,
+                    .bad = "",
+                    .good = ""};
+const Rule xdd_root{
+    .code = "E0902",
+    .name = "xdd-root",
+    .level = Level::error,
+    .summary = "an XDD or XDC is a container of CANopen profiles (CiA 311)",
+    .reference = "",
+    .why =
+        "Files of other systems carry the same endings: device descriptions of Ethernet POWERLINK and of "
+        "maxon, design constraints of Xilinx. Their contents mean something else.",
+    .example = Example::none,
+    .bad = "",
+    .good = ""};
+const Rule xdd_absent{
+    .code = "E0903",
+    .name = "xdd-absent",
+    .level = Level::error,
+    .summary = "each object states its index, its data type and its access",
+    .reference = "",
+    .why =
+        "What the object is cannot be told, so it is left out; a configuration tool would not know the "
+        "object at all.",
+    .example = Example::device_description,
+    .bad = "<CANopenObject index=\"2000\" name=\"Value\" objectType=\"7\" accessType=\"ro\"/>\n",
+    .good =
+        "<CANopenObject index=\"2000\" name=\"Value\" objectType=\"7\" dataType=\"0007\" "
+        "accessType=\"ro\"/>\n"};
+const Rule xdd_value{.code = "E0904",
+                     .name = "xdd-value",
+                     .level = Level::error,
+                     .summary = "a value is written as its data type, or its attribute, demands",
+                     .reference = "",
+                     .why =
+                         "Numbers are decimal or 0x.. for hexadecimal, octet strings are pairs of "
+                         "hexadecimal digits. Importers turn anything else into 0 without a word.",
+                     .example = Example::device_description,
+                     .bad =
+                         "<CANopenObject index=\"2000\" name=\"Value\" objectType=\"7\" dataType=\"0007\" "
+                         "accessType=\"ro\" defaultValue=\"5,0\"/>\n",
+                     .good =
+                         "<CANopenObject index=\"2000\" name=\"Value\" objectType=\"7\" dataType=\"0007\" "
+                         "accessType=\"ro\" defaultValue=\"5\"/>\n"};
+const Rule xdd_number_range{
+    .code = "E0905",
+    .name = "xdd-number-range",
+    .level = Level::error,
+    .summary = "a number fits into its data type, or into what its attribute can state",
+    .reference = "",
+    .why =
+        "The device cannot hold the value. What a configuration tool makes of it, and writes to the device, "
+        "is its own choice.",
+    .example = Example::device_description,
+    .bad =
+        "<CANopenObject index=\"2000\" name=\"Value\" objectType=\"7\" dataType=\"0005\" accessType=\"ro\" "
+        "defaultValue=\"0x1FF\"/>\n",
+    .good =
+        "<CANopenObject index=\"2000\" name=\"Value\" objectType=\"7\" dataType=\"0005\" accessType=\"ro\" "
+        "defaultValue=\"0xFF\"/>\n"};
+const Rule xdd_number_form{
+    .code = "E0906",
+    .name = "xdd-number-form",
+    .level = Level::warning,
+    .summary = "numbers have no zeros in front, and values that follow the node number are $NODEID+number",
+    .reference = "",
+    .why =
+        "A number with zeros in front is decimal here and octal in an EDS. Of a formula in another order "
+        "some importers make nothing, and give all nodes the same identifier.",
+    .example = Example::device_description,
+    .bad =
+        "<CANopenObject index=\"2000\" name=\"Value\" objectType=\"7\" dataType=\"0007\" accessType=\"ro\" "
+        "defaultValue=\"0x180+$NODEID\"/>\n",
+    .good =
+        "<CANopenObject index=\"2000\" name=\"Value\" objectType=\"7\" dataType=\"0007\" accessType=\"ro\" "
+        "defaultValue=\"$NODEID+0x180\"/>\n"};
+const Rule xdd_data_type{
+    .code = "E0907",
+    .name = "xdd-data-type",
+    .level = Level::error,
+    .summary = "a data type is one of CiA 301",
+    .reference = "",
+    .why = "How long the value is, and what its bytes mean, is not known; the object is left out.",
+    .example = Example::device_description,
+    .bad =
+        "<CANopenObject index=\"2000\" name=\"Value\" objectType=\"7\" dataType=\"00FF\" "
+        "accessType=\"ro\"/>\n",
+    .good =
+        "<CANopenObject index=\"2000\" name=\"Value\" objectType=\"7\" dataType=\"0007\" "
+        "accessType=\"ro\"/>\n"};
+const Rule xdd_object_type{
+    .code = "E0908",
+    .name = "xdd-object-type",
+    .level = Level::error,
+    .summary = "an object type is one of CiA 301 and allows for the sub-objects that stand in the file",
+    .reference = "",
+    .why = "Whether the object is one value or a group of them decides how it is read and written.",
+    .example = Example::device_description,
+    .bad =
+        "<CANopenObject index=\"2000\" name=\"Value\" objectType=\"3\" dataType=\"0007\" "
+        "accessType=\"ro\"/>\n",
+    .good =
+        "<CANopenObject index=\"2000\" name=\"Value\" objectType=\"7\" dataType=\"0007\" "
+        "accessType=\"ro\"/>\n"};
+const Rule xdd_access{.code = "E0909",
+                      .name = "xdd-access",
+                      .level = Level::error,
+                      .summary = "an access type is one of the words of CiA 311",
+                      .reference = "",
+                      .why =
+                          "Whether the object can be read or written is not known; an object for which no "
+                          "other word says so is left out.",
+                      .example = Example::device_description,
+                      .bad =
+                          "<parameter uniqueID=\"UID_OBJ_2000\" access=\"both\"><label "
+                          "lang=\"en\">Value</label><UDINT/></parameter>\n"
+                          "<CANopenObject index=\"2000\" name=\"Value\" objectType=\"7\" accessType=\"rw\" "
+                          "uniqueIDRef=\"UID_OBJ_2000\"/>\n",
+                      .good =
+                          "<parameter uniqueID=\"UID_OBJ_2000\" access=\"readWrite\"><label "
+                          "lang=\"en\">Value</label><UDINT/></parameter>\n"
+                          "<CANopenObject index=\"2000\" name=\"Value\" objectType=\"7\" accessType=\"rw\" "
+                          "uniqueIDRef=\"UID_OBJ_2000\"/>\n"};
+const Rule xdd_no_access{
+    .code = "E0910",
+    .name = "xdd-no-access",
+    .level = Level::warning,
+    .summary = "every object can be read or written",
+    .reference = "",
+    .why = "An object dictionary has no word for an object without access; cgw reads it as read-only.",
+    .example = Example::device_description,
+    .bad =
+        "<parameter uniqueID=\"UID_OBJ_2000\" access=\"noAccess\"><label "
+        "lang=\"en\">Value</label><UDINT/></parameter>\n"
+        "<CANopenObject index=\"2000\" name=\"Value\" objectType=\"7\" uniqueIDRef=\"UID_OBJ_2000\"/>\n",
+    .good =
+        "<parameter uniqueID=\"UID_OBJ_2000\" access=\"read\"><label "
+        "lang=\"en\">Value</label><UDINT/></parameter>\n"
+        "<CANopenObject index=\"2000\" name=\"Value\" objectType=\"7\" uniqueIDRef=\"UID_OBJ_2000\"/>\n"};
+const Rule xdd_reference{.code = "E0911",
+                         .name = "xdd-reference",
+                         .level = Level::error,
+                         .summary = "the parameter that an object names stands in the file",
+                         .reference = "",
+                         .why = "What the parameter says, which may be the type and the value, is missing.",
+                         .example = Example::device_description,
+                         .bad =
+                             "<parameter uniqueID=\"UID_OBJ_2001\" access=\"read\"><label "
+                             "lang=\"en\">Value</label><UDINT/></parameter>\n"
+                             "<CANopenObject index=\"2000\" name=\"Value\" objectType=\"7\" "
+                             "dataType=\"0007\" accessType=\"ro\" uniqueIDRef=\"UID_OBJ_2000\"/>\n",
+                         .good =
+                             "<parameter uniqueID=\"UID_OBJ_2000\" access=\"read\"><label "
+                             "lang=\"en\">Value</label><UDINT/></parameter>\n"
+                             "<CANopenObject index=\"2000\" name=\"Value\" objectType=\"7\" "
+                             "dataType=\"0007\" accessType=\"ro\" uniqueIDRef=\"UID_OBJ_2000\"/>\n"};
+const Rule xdd_contradiction{
+    .code = "E0912",
+    .name = "xdd-contradiction",
+    .level = Level::warning,
+    .summary = "an object and its parameter say the same",
+    .reference = "",
+    .why =
+        "Some tools read the one, some the other: the same file describes two devices. cgw reads the object.",
+    .example = Example::device_description,
+    .bad =
+        "<parameter uniqueID=\"UID_OBJ_2000\" access=\"read\"><label "
+        "lang=\"en\">Value</label><UINT/></parameter>\n"
+        "<CANopenObject index=\"2000\" name=\"Value\" objectType=\"7\" dataType=\"0007\" accessType=\"ro\" "
+        "uniqueIDRef=\"UID_OBJ_2000\"/>\n",
+    .good =
+        "<parameter uniqueID=\"UID_OBJ_2000\" access=\"read\"><label "
+        "lang=\"en\">Value</label><UDINT/></parameter>\n"
+        "<CANopenObject index=\"2000\" name=\"Value\" objectType=\"7\" dataType=\"0007\" accessType=\"ro\" "
+        "uniqueIDRef=\"UID_OBJ_2000\"/>\n"};
+const Rule xdd_twice{
+    .code = "E0913",
+    .name = "xdd-twice",
+    .level = Level::error,
+    .summary = "an index, a sub-index and a uniqueID stand in a file once",
+    .reference = "",
+    .why = "Of two objects with one index some tools take the first and some the last. cgw reads the first.",
+    .example = Example::device_description,
+    .bad =
+        "<CANopenObject index=\"2000\" name=\"Value\" objectType=\"7\" dataType=\"0007\" "
+        "accessType=\"ro\"/>\n"
+        "<CANopenObject index=\"2000\" name=\"Value\" objectType=\"7\" dataType=\"0005\" "
+        "accessType=\"ro\"/>\n",
+    .good =
+        "<CANopenObject index=\"2000\" name=\"Value\" objectType=\"7\" dataType=\"0007\" "
+        "accessType=\"ro\"/>\n"
+        "<CANopenObject index=\"2001\" name=\"Value\" objectType=\"7\" dataType=\"0005\" "
+        "accessType=\"ro\"/>\n"};
+
+}  // namespace cgw::diagnostic::rules

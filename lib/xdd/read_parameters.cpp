@@ -1,0 +1,108 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "xdd/reading.hpp"
+#include "xdd/words.hpp"
+
+namespace cgw::xdd {
+namespace {
+
+constexpr unsigned deepest_type = 8;
+
+struct List {
+    std::string_view list;
+    std::string_view element;
+};
+
+// What has a uniqueID that something read here refers to.
+constexpr std::array lists{
+    List{"dataTypeList", "derived"},
+    List{"dataTypeList", "enum"},
+    List{"templateList", "parameterTemplate"},
+    List{"parameterList", "parameter"},
+};
+
+}  // namespace
+
+std::string label_of(pugi::xml_node element) {
+    return Source::child(element, "label").text().get();
+}
+
+Parameters::Parameters(Source& source, pugi::xml_node device_body) : source_(source) {
+    Source::each_child(device_body, "ApplicationProcess", [this](pugi::xml_node process) {
+        for (const List& row : lists) {
+            Source::each_child(Source::child(process, row.list), row.element, [this](pugi::xml_node each) {
+                const pugi::xml_attribute id = each.attribute("uniqueID");
+                const bool is_new = !id || by_id_.emplace(id.value(), each).second;
+                if (!is_new) {
+                    source_.report(diagnostic::rules::xdd_twice, each, id,
+                                   fmt::format("{} is the uniqueID of another element already; this one is "
+                                               "not read",
+                                               quoted(id.value())));
+                }
+            });
+        }
+    });
+}
+
+pugi::xml_node Parameters::find(const char* id) const {
+    const auto found = by_id_.find(id);
+    return found != by_id_.end() ? found->second : pugi::xml_node();
+}
+
+pugi::xml_node Parameters::of(pugi::xml_node object) {
+    const pugi::xml_attribute reference = object.attribute("uniqueIDRef");
+    if (!reference || *reference.value() == '\0') {
+        return {};
+    }
+    const pugi::xml_node parameter = find(reference.value());
+    if (!parameter) {
+        source_.report(diagnostic::rules::xdd_reference, object, reference,
+                       fmt::format("{} names no parameter of this file", quoted(reference.value())));
+    }
+    return parameter;
+}
+
+pugi::xml_node Parameters::template_of(pugi::xml_node parameter) const {
+    return find(parameter.attribute("templateIDRef").value());
+}
+
+pugi::xml_node Parameters::child(pugi::xml_node parameter, std::string_view name) const {
+    const pugi::xml_node own = Source::child(parameter, name);
+    return own ? own : Source::child(template_of(parameter), name);
+}
+
+std::string_view Parameters::access(pugi::xml_node parameter) const {
+    for (const pugi::xml_node each : {parameter, template_of(parameter)}) {
+        const pugi::xml_attribute access = each.attribute("access");
+        if (access && *access.value() != '\0') {
+            return access.value();
+        }
+    }
+    return "";
+}
+
+const dictionary::TypeRow* Parameters::type_in(pugi::xml_node element, unsigned depth) const {
+    for (const pugi::xml_node child : element.children()) {
+        const std::string_view name = local_name(child.name());
+        const auto* const row =
+            std::find_if(elementary_types.begin(), elementary_types.end(),
+                         [name](const ElementaryType& each) { return each.element == name; });
+        if (row != elementary_types.end()) {
+            return &dictionary::row_of(row->type);
+        }
+        if (name == "dataTypeIDRef" && depth < deepest_type) {
+            return type_in(find(child.attribute("uniqueIDRef").value()), depth + 1);
+        }
+    }
+    return nullptr;
+}
+
+const dictionary::TypeRow* Parameters::type(pugi::xml_node parameter) const {
+    const dictionary::TypeRow* const own = type_in(parameter, 0);
+    return own != nullptr ? own : type_in(template_of(parameter), 0);
+}
+
+}  // namespace cgw::xdd

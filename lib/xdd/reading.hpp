@@ -1,0 +1,65 @@
+// Inside the xdd room: the parts of the reader, each in the file of its name.
+#pragma once
+
+#include <string_view>
+#include <unordered_map>
+
+#include "xdd/reader.hpp"
+#include "xdd/source.hpp"
+
+namespace cgw::xdd {
+
+// What the profile bodies of a file hold; an empty node is not there.
+struct Parts {
+    pugi::xml_node device_body;
+    pugi::xml_node network_body;
+    pugi::xml_node objects;  // CANopenObjectList
+};
+
+// The parameters of a file by their uniqueID, and what they refer to.
+class Parameters {
+  public:
+    Parameters(Source& source, pugi::xml_node device_body);
+
+    // The parameter that an object names; empty when it names none, or after a finding, one that is not
+    // there.
+    pugi::xml_node of(pugi::xml_node object);
+
+    // A child element of the parameter, or of its template.
+    pugi::xml_node child(pugi::xml_node parameter, std::string_view name) const;
+    std::string_view access(pugi::xml_node parameter) const;  // "" where it is not stated: then it is read
+
+    // Nothing for a parameter without a type that is a data type of CANopen by itself, BITSTRING above all.
+    const dictionary::TypeRow* type(pugi::xml_node parameter) const;
+
+  private:
+    pugi::xml_node template_of(pugi::xml_node parameter) const;
+    pugi::xml_node find(const char* id) const;
+    const dictionary::TypeRow* type_in(pugi::xml_node element, unsigned depth) const;
+
+    Source& source_;
+    std::unordered_map<std::string_view, pugi::xml_node> by_id_;  // of all elements that have a uniqueID
+};
+
+void read_information(Source& source, const Parts& parts, dictionary::Dictionary& dictionary);
+std::optional<dictionary::Commissioning> read_commissioning(Source& source, const Parts& parts);
+
+// One object or sub-object with its parameter.
+struct Element {
+    pugi::xml_node object;
+    pugi::xml_node parameter;  // may be empty
+};
+
+std::string name_of(const Element& here);
+std::string denotation_of(const Parameters& parameters, const Element& here);
+
+// Nothing after a finding, when type or access cannot be read.
+std::optional<dictionary::Variable> read_variable(Source& source, const Parameters& parameters,
+                                                  const Element& here, object::ObjectCode code);
+
+std::vector<dictionary::Object> read_objects(Source& source, const Parts& parts, Parameters& parameters);
+
+// The text of the first `label` of an element; "" when it has none.
+std::string label_of(pugi::xml_node element);
+
+}  // namespace cgw::xdd
