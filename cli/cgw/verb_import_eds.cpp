@@ -17,7 +17,7 @@ namespace {
 
 constexpr Option import_eds_options[] = {
     {.names = "FILE",
-     .summary = "EDS or DCF of a configured gateway; - is standard input",
+     .summary = "EDS, DCF, XDD or XDC of a gateway; - is standard input",
      .required = true,
      .completes = Completes::files},
     node_id_option,
@@ -62,8 +62,8 @@ int run_import_eds(const Arguments& arguments) {
     if (!sheet.valid()) {
         return exit_code;
     }
-    if (!is_data_sheet(sheet.kind) || !authoring::describes_gateway(sheet.dictionary)) {
-        print_error(fmt::format("{}: not the EDS or DCF of a CANopen Gateway (1018h:1 and :2)", path));
+    if (!is_of_any_device(sheet.kind) || !authoring::describes_gateway(sheet.dictionary)) {
+        print_error(fmt::format("{}: not the EDS, DCF, XDD or XDC of a CANopen Gateway (1018h:1 and :2)", path));
         return exit_findings;
     }
     const std::string name = output == "-" ? "<stdout>" : output;
@@ -81,7 +81,7 @@ int run_import_eds(const Arguments& arguments) {
 
 }  // namespace
 
-const Verb import_eds_verb = {"import eds", "write a parameter file from the EDS or DCF of a gateway",
+const Verb import_eds_verb = {"import eds", "write a parameter file from the data sheet of a gateway",
                               import_eds_options, run_import_eds, import_eds_details};
 
 }  // namespace cgw::cli

@@ -31,7 +31,7 @@ constexpr Option verify_options[] = {
     {.names = "--read-only", .summary = "--live: do not try whether the device refuses to be written"},
     {.names = "--eds",
      .value = "PATH",
-     .summary = "EDS or DCF to compare with FILE",
+     .summary = "EDS, DCF, XDD or XDC to compare with FILE",
      .repeats = true,
      .completes = Completes::files},
     {.names = "--image",

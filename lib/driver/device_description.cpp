@@ -13,6 +13,7 @@
 #include "driver/data_sheet.hpp"
 #include "driver/plant.hpp"
 #include "driver/report_unreadable.hpp"
+#include "image/area.hpp"
 #include "image_writer/dictionary_of.hpp"
 #include "toml/document.hpp"
 #include "xdd/reader.hpp"
@@ -38,7 +39,7 @@ void take_image(DeviceDescription& description, const std::string& text) {
     description.kind = DescriptionKind::image;
     const base::Bytes bytes = base::to_bytes(text);
     image::Image image;
-    const image::Status status = image::Image::open(bytes, image);
+    const image::Status status = image::Image::open(image::image_in(bytes), image);
     if (status != image::Status::ok) {
         report_refused(description.path, status, description.findings);
         return;

@@ -24,8 +24,11 @@ enum class DescriptionKind : std::uint8_t {
 };
 
 std::string_view to_text(DescriptionKind kind);  // "EDS", "parameter file"
-constexpr bool is_data_sheet(DescriptionKind kind) {
+constexpr bool is_eds(DescriptionKind kind) {    // or DCF
     return kind == DescriptionKind::data_sheet || kind == DescriptionKind::configuration_file;
+}
+constexpr bool is_of_any_device(DescriptionKind kind) {  // EDS, DCF, XDD, XDC
+    return kind != DescriptionKind::parameter_file && kind != DescriptionKind::image;
 }
 
 struct DeviceDescription {

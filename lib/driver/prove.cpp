@@ -6,8 +6,10 @@
 
 #include "base/files.hpp"
 #include "dbc/read.hpp"
-#include "driver/data_sheet.hpp"
+#include "driver/check_sheet.hpp"
+#include "driver/device_description.hpp"
 #include "driver/report_unreadable.hpp"
+#include "image/area.hpp"
 
 namespace cgw::driver {
 namespace {
@@ -48,13 +50,25 @@ class Prover {
     }
 
     void prove_description(const std::string& path) {
-        DataSheet file = read_data_sheet(path);
-        proofs_.unreadable = proofs_.unreadable || file.unreadable;
-        proofs_.sources.merge(file.sources);
-        if (usable(path, std::move(file.findings))) {
-            const auto& node = file.sheet->commissioning;
-            add(path, node ? "DCF" : "EDS",
-                proof::prove_description(plant_, {file.sheet->dictionary, node ? &*node : nullptr}));
+        auto description = read_device_description(path);
+        if (!description) {  // SOURCE_DATE_EPOCH, which concerns parameter files only
+            return;
+        }
+        proofs_.unreadable = proofs_.unreadable || description->unreadable;
+        if (is_eds(description->kind) && description->valid()) {
+            description->findings = check_data_sheet_text(path, description->sources[path], {}).findings;
+        }
+        if (!is_of_any_device(description->kind)) {
+            description->findings.report(
+                {&diagnostic::rules::eds_text,
+                 fmt::format("this is a {}, and no EDS, DCF, XDD or XDC", to_text(description->kind)),
+                 {path, {}}});
+        }
+        proofs_.sources.merge(description->sources);
+        if (usable(path, std::move(description->findings))) {
+            const auto& node = description->commissioning;
+            add(path, to_text(description->kind),
+                proof::prove_description(plant_, {description->dictionary, node ? &*node : nullptr}));
         }
     }
 
@@ -70,14 +84,15 @@ class Prover {
     }
 
     void prove_image(const std::string& path) {
-        const std::optional<std::string> text = read(path, image::maximum_size + 1);
+        const std::optional<std::string> text = read(path, eds::largest_text);
         if (!text) {
             return;
         }
         const base::Bytes bytes = base::to_bytes(*text);
         image::Image image;
         diagnostic::Findings findings;
-        if (const image::Status status = image::Image::open(bytes, image); status != image::Status::ok) {
+        if (const image::Status status = image::Image::open(image::image_in(bytes), image);
+            status != image::Status::ok) {
             report_refused(path, status, findings);
         }
         if (usable(path, std::move(findings))) {

@@ -13,7 +13,7 @@ namespace cgw::driver {
 
 // Paths; "-" is standard input.
 struct Artefacts {
-    std::vector<std::string> descriptions;  // EDS, DCF
+    std::vector<std::string> descriptions;  // EDS, DCF, XDD, XDC
     std::vector<std::string> images;
     std::vector<std::string> databases;
 };
@@ -26,6 +26,7 @@ struct Proofs {
     bool has_errors = false;  // one has errors, and is not among `all`
 };
 
+// Data sheets are checked as `cgw eds check` does as well. An image may be a region read out of a device.
 Proofs prove(const emit::Plant& plant, const Artefacts& artefacts);
 
 }  // namespace cgw::driver

@@ -263,7 +263,7 @@ class Import(Case):
         other = self.changed(b"DefaultValue=0x00001B59", b"DefaultValue=0x00001B5A")
         result = cgw("import", "eds", other)
         self.assertEqual((result.returncode, result.stdout), (1, b""))
-        self.assertIn(b"not the EDS or DCF of a CANopen Gateway", result.stderr)
+        self.assertIn(b"not the EDS, DCF, XDD or XDC of a CANopen Gateway", result.stderr)
         self.assertEqual(cgw("import", "eds", GENSET).returncode, 1)
         out = self.dir / "there.toml"
         out.write_text("precious")
