@@ -10,10 +10,10 @@ namespace cgw::eds_check {
 namespace {
 
 // Repairs that only become possible by others come in a further round; there are few such chains.
-constexpr int most_rounds = 16;
+constexpr int most_rounds = 32;
 
 // Findings of one rule in one round.
-constexpr std::size_t most_per_round = 100'000;
+constexpr std::size_t most_per_round = 300'000;
 
 Span span_of(const eds::Document& document, const diagnostic::Range& range) {
     const std::uint32_t line = range.start.line - 1;
@@ -52,12 +52,22 @@ class Round {
         const Model model(document_, sheet_);
         const Context context{reading, document_, sheet_, model, options_};
         std::set<std::uint32_t> lines;
+        const Check* waiting = nullptr;
+        std::uint32_t last_waiting = 0;
         for (const diagnostic::Diagnostic& finding : findings_.all()) {
             const Check* const row = find_check(finding.rule);
             if (row == nullptr || row->repair == nullptr || finding.where.range.start.line == 0) {
                 continue;
             }
+            // A repair of many lines mends other findings as well, or has to wait for the next round with
+            // all.
+            const std::uint32_t line = finding.where.range.start.line - 1;
+            if (lines.contains(line) || (row == waiting && line <= last_waiting)) {
+                continue;
+            }
             const auto repair = row->repair(context, span_of(document_, finding.where.range));
+            waiting = repair ? row : nullptr;
+            last_waiting = repair && !repair->changes.empty() ? repair->changes.back().span.line : 0;
             if (repair && std::none_of(repair->changes.begin(), repair->changes.end(),
                                        [&](const Change& c) { return lines.contains(c.span.line); })) {
                 for (const Change& change : repair->changes) {

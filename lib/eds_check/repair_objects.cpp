@@ -85,7 +85,9 @@ std::optional<Repair> number_list(const Context& context, const Span& place) {
 std::optional<Repair> unlist(const Context& context, const Span& place) {
     const eds::Section& section = section_of(context, place.line);
     const auto index = context.number(place.line);
-    for (std::uint32_t line = section.header + 1; line < place.line; ++line) {
+    constexpr std::uint32_t longest_list = 4096;  // that is looked through for each entry
+    const std::uint32_t end = std::min(place.line, section.header + longest_list);
+    for (std::uint32_t line = section.header + 1; line < end; ++line) {
         if (is_list_entry(context, line) && context.number(line) == index) {
             return Repair{fmt::format("the second entry of {} is taken away",
                                       object_text(static_cast<unsigned>(index.value_or(0)))),
