@@ -29,12 +29,12 @@ constexpr Option import_eds_options[] = {
 
 constexpr std::string_view import_eds_details =
     "Writes as much of a parameter file as the data sheet determines: identifiers,\n"
-    "times, words and channels of PDOs, heartbeat, identity; of a DCF also node number\n"
-    "and bit rate. What it does not say is told on standard error and in the first\n"
-    "lines of the file. Then the gateway that the file configures is compared with\n"
-    "the data sheet, object by object; each difference is something that no gateway\n"
-    "can do, or that the data sheet does not determine. Exit code 0 when the file is\n"
-    "valid, 1 when something is still missing or differs.\n";
+    "times, words and channels of PDOs, heartbeat, identity; of a DCF also node\n"
+    "number and bit rate. What it does not say is told on standard error and in the\n"
+    "first lines of the file. Then the gateway that the file configures is compared\n"
+    "with the data sheet, object by object; each difference is something that no\n"
+    "gateway can do, or that the data sheet does not determine. Exit code 0 when the\n"
+    "file is valid, 1 when something is still missing or differs.\n";
 
 // What became of it, on stderr.
 void report(const std::string& path, const driver::ImportedDataSheet& imported) {
@@ -63,7 +63,7 @@ int run_import_eds(const Arguments& arguments) {
         return exit_code;
     }
     if (!is_of_any_device(sheet.kind) || !authoring::describes_gateway(sheet.dictionary)) {
-        print_error(fmt::format("{}: not the EDS, DCF, XDD or XDC of a CANopen Gateway (1018h:1 and :2)", path));
+        print_error(fmt::format("{}: not the EDS, DCF, XDD or XDC of a CANopen Gateway (1018h)", path));
         return exit_findings;
     }
     const std::string name = output == "-" ? "<stdout>" : output;
