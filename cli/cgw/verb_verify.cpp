@@ -53,11 +53,12 @@ constexpr Option verify_options[] = {
 };
 
 constexpr std::string_view verify_details =
-    "With --eds, --image and --dbc: whether these files still describe the device that\n"
-    "FILE makes, object by object; the last step before they are handed out. An image\n"
-    "is compared in every field that a gateway reads, a database in every message and\n"
-    "signal. Who wrote the files, and when, does not count. Exit code 0 when all are\n"
-    "the same, 1 when one differs or has errors, 3 when one cannot be read.\n\n"
+    "With --eds, --image and --dbc: whether these files still describe the device\n"
+    "that FILE makes, object by object; the last step before they are handed out. An\n"
+    "image is compared in every field that a gateway reads, a database in every\n"
+    "message and signal. Who wrote the files, and when, does not count. Exit code 0\n"
+    "when all are the same, 1 when one differs or has errors, 3 when one cannot be\n"
+    "read.\n\n"
     "With --live: reads every object of the configured EDS from the gateway with the\n"
     "node-ID of FILE (427) and compares: who it is, values, lengths, what must be\n"
     "refused, and what must not exist. Values that change while the device runs are\n"
