@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/json.hpp"
 #include "dictionary/dictionary.hpp"
 
 namespace cgw::dictionary {
@@ -40,6 +41,10 @@ struct Difference {
 
 // "2003h:1 Switch Functions"; of the device nothing.
 std::string subject_text(const Difference& difference);
+
+// As one object of JSON; the texts under these keys.
+void write_json(base::JsonWriter& json, const Difference& difference, std::string_view key_a,
+                std::string_view key_b);
 
 struct Differences {
     std::vector<Difference> all;                 // device, objects by index and sub-index, modules

@@ -87,19 +87,6 @@ void side_json(base::JsonWriter& json, std::string_view key, const SideName& sid
     json.end_object();
 }
 
-void difference_json(base::JsonWriter& json, const Difference& difference) {
-    json.begin_object();
-    json.key("aspect").string(difference.aspect);
-    json.key("index");
-    difference.index ? json.integer(*difference.index) : json.null();
-    json.key("sub_index");
-    difference.sub_index ? json.integer(*difference.sub_index) : json.null();
-    json.key("name").string(difference.name);
-    json.key("a").string(difference.a);
-    json.key("b").string(difference.b);
-    json.end_object();
-}
-
 std::string render_json(const Differences& differences, const SideName& a, const SideName& b) {
     base::JsonWriter json;
     json.begin_object();
@@ -109,7 +96,7 @@ std::string render_json(const Differences& differences, const SideName& a, const
     side_json(json, "b", b);
     json.key("differences").begin_array();
     for (const Difference& difference : differences.all) {
-        difference_json(json, difference);
+        write_json(json, difference, "a", "b");
     }
     json.end_array();
     json.key("not_compared").begin_array();
@@ -137,6 +124,20 @@ std::string subject_text(const Difference& difference) {
                                    ? base::object_text(*difference.index, *difference.sub_index)
                                    : base::object_text(*difference.index);
     return difference.name.empty() ? object : fmt::format("{} {}", object, difference.name);
+}
+
+void write_json(base::JsonWriter& json, const Difference& difference, std::string_view key_a,
+                std::string_view key_b) {
+    json.begin_object();
+    json.key("aspect").string(difference.aspect);
+    json.key("index");
+    difference.index ? json.integer(*difference.index) : json.null();
+    json.key("sub_index");
+    difference.sub_index ? json.integer(*difference.sub_index) : json.null();
+    json.key("name").string(difference.name);
+    json.key(key_a).string(difference.a);
+    json.key(key_b).string(difference.b);
+    json.end_object();
 }
 
 std::span<const DifferenceFormat> difference_formats() {

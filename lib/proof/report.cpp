@@ -61,19 +61,6 @@ std::string render_text(const Subject& subject, std::span<const Proof> proofs) {
     return text;
 }
 
-void difference_json(base::JsonWriter& json, const dictionary::Difference& difference) {
-    json.begin_object();
-    json.key("aspect").string(difference.aspect);
-    json.key("index");
-    difference.index ? json.integer(*difference.index) : json.null();
-    json.key("sub_index");
-    difference.sub_index ? json.integer(*difference.sub_index) : json.null();
-    json.key("name").string(difference.name);
-    json.key("expected").string(difference.a);
-    json.key("found").string(difference.b);
-    json.end_object();
-}
-
 std::string render_json(const Subject& subject, std::span<const Proof> proofs) {
     base::JsonWriter json;
     json.begin_object();
@@ -90,7 +77,7 @@ std::string render_json(const Subject& subject, std::span<const Proof> proofs) {
         json.key("same").boolean(proof.differences.same());
         json.key("differences").begin_array();
         for (const dictionary::Difference& difference : proof.differences.all) {
-            difference_json(json, difference);
+            write_json(json, difference, "expected", "found");
         }
         json.end_array();
         json.key("not_compared").begin_array();
