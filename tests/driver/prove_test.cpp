@@ -82,7 +82,7 @@ TEST_F(Prove, every_changed_number_of_a_data_sheet_is_told) {
         const std::size_t end = text.find('\r', at);
         const char last = text[end - 1];
         const bool is_comment = at > comments && at < behind_comments;
-        // No check looks at the object type of a sub-object yet, and no importer is known to.
+        // The reader does not keep the object type of a sub-object, and no check looks at it yet.
         const bool is_type_of_sub = text.substr(text.rfind('[', at), 9).find("sub") != std::string::npos &&
                                     text.substr(at - 10, 10) == "ObjectType";
         if (is_comment || is_type_of_sub || last < '0' || last > '8' || ++tried % 3 != 0) {
