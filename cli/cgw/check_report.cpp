@@ -7,6 +7,7 @@
 
 #include "cli/cgw/exit_codes.hpp"
 #include "cli/cgw/terminal.hpp"
+#include "diagnostic/rules.hpp"
 #include "driver/plant.hpp"
 
 namespace cgw::cli {

@@ -15,6 +15,7 @@
 #include "cli/cgw/shared_options.hpp"
 #include "cli/cgw/terminal.hpp"
 #include "cli/cgw/verbs.hpp"
+#include "diagnostic/rules/firmware.hpp"
 #include "firmware_file/embed.hpp"
 
 namespace cgw::cli {

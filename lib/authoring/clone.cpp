@@ -8,6 +8,7 @@
 
 #include "authoring/toml_text.hpp"
 #include "config/numbers.hpp"
+#include "diagnostic/rules/tables.hpp"
 #include "toml/document.hpp"
 
 namespace cgw::authoring {

@@ -11,6 +11,7 @@
 #include "catalogue/kinds.hpp"
 #include "catalogue/named.hpp"
 #include "catalogue/values.hpp"
+#include "diagnostic/rules/keys.hpp"
 
 namespace cgw::catalogue {
 

@@ -12,6 +12,7 @@
 #include "catalogue/named.hpp"
 #include "catalogue/templates.hpp"
 #include "catalogue/values.hpp"
+#include "diagnostic/rules/keys.hpp"
 #include "toml/document.hpp"
 
 namespace cgw::catalogue {

@@ -11,6 +11,7 @@
 #include "catalogue/row_checks.hpp"
 #include "catalogue/templates.hpp"
 #include "catalogue/values.hpp"
+#include "diagnostic/rules/keys.hpp"
 #include "facts/gateway.hpp"
 
 namespace cgw::catalogue {

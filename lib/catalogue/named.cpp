@@ -10,6 +10,7 @@
 #include "base/edit_distance.hpp"
 #include "catalogue/templates.hpp"
 #include "catalogue/values.hpp"
+#include "diagnostic/rules/keys.hpp"
 
 namespace cgw::catalogue {
 

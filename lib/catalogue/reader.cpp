@@ -9,6 +9,7 @@
 #include "catalogue/cells.hpp"
 #include "catalogue/kinds.hpp"
 #include "catalogue/merge.hpp"
+#include "diagnostic/rules/keys.hpp"
 
 namespace cgw::catalogue {
 

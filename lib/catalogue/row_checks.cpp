@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "catalogue/kinds.hpp"
+#include "diagnostic/rules/keys.hpp"
 
 namespace cgw::catalogue {
 

@@ -7,6 +7,7 @@
 
 #include "base/ascii.hpp"
 #include "base/numbers.hpp"
+#include "diagnostic/rules/keys.hpp"
 
 namespace cgw::catalogue {
 

@@ -1,6 +1,9 @@
 #include "check/checks.hpp"
 
 #include "check/subjects.hpp"
+#include "diagnostic/rules/notes.hpp"
+#include "diagnostic/rules/plant.hpp"
+#include "diagnostic/rules/warnings.hpp"
 
 namespace cgw::check {
 

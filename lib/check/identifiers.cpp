@@ -10,6 +10,9 @@
 #include "check/subjects.hpp"
 #include "check/support.hpp"
 #include "config/numbers.hpp"
+#include "diagnostic/rules/notes.hpp"
+#include "diagnostic/rules/plant.hpp"
+#include "diagnostic/rules/warnings.hpp"
 
 namespace cgw::check {
 

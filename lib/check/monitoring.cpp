@@ -12,6 +12,8 @@
 #include "check/support.hpp"
 #include "config/monitoring_time.hpp"
 #include "config/numbers.hpp"
+#include "diagnostic/rules/plant.hpp"
+#include "diagnostic/rules/warnings.hpp"
 
 namespace cgw::check {
 

@@ -5,6 +5,7 @@
 #include "check/subjects.hpp"
 #include "check/support.hpp"
 #include "config/numbers.hpp"
+#include "diagnostic/rules/plant.hpp"
 
 namespace cgw::check {
 

@@ -7,6 +7,8 @@
 #include "base/ascii.hpp"
 #include "check/subjects.hpp"
 #include "check/support.hpp"
+#include "diagnostic/rules/notes.hpp"
+#include "diagnostic/rules/warnings.hpp"
 
 namespace cgw::check {
 

@@ -9,6 +9,8 @@
 #include "check/support.hpp"
 #include "config/monitoring_time.hpp"
 #include "config/numbers.hpp"
+#include "diagnostic/rules/notes.hpp"
+#include "diagnostic/rules/plant.hpp"
 
 namespace cgw::check {
 

@@ -8,6 +8,7 @@
 #include "base/numbers.hpp"
 #include "base/utf8.hpp"
 #include "dbc/tokens.hpp"
+#include "diagnostic/rules/dbc.hpp"
 
 namespace cgw::dbc {
 namespace {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "diagnostic/location.hpp"
-#include "diagnostic/rules.hpp"
+#include "diagnostic/rule.hpp"
 
 namespace cgw::diagnostic {
 

@@ -6,6 +6,7 @@
 
 #include "base/json.hpp"
 #include "diagnostic/renderers.hpp"
+#include "diagnostic/rules.hpp"
 #include "diagnostic/source_lines.hpp"
 
 namespace cgw::diagnostic {

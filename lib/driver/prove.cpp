@@ -6,6 +6,7 @@
 
 #include "base/files.hpp"
 #include "dbc/read.hpp"
+#include "diagnostic/rules/eds.hpp"
 #include "driver/check_sheet.hpp"
 #include "driver/device_description.hpp"
 #include "driver/report_unreadable.hpp"

@@ -7,6 +7,8 @@
 
 #include "base/result.hpp"
 #include "diagnostic/diagnostic.hpp"
+#include "diagnostic/rules/files.hpp"
+#include "diagnostic/rules/firmware.hpp"
 #include "image/image.hpp"
 
 namespace cgw::driver {

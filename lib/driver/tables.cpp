@@ -11,6 +11,7 @@
 #include "authoring/parameter_file_text.hpp"
 #include "base/files.hpp"
 #include "base/utf8.hpp"
+#include "diagnostic/rules/tables.hpp"
 #include "driver/report_unreadable.hpp"
 #include "emit/concerned.hpp"
 #include "toml/document.hpp"

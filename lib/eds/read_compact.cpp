@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 
+#include "diagnostic/rules/eds.hpp"
 #include "eds/reader.hpp"
 #include "eds/reading.hpp"
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "diagnostic/rules/eds.hpp"
 #include "eds/object_keys.hpp"
 #include "eds/reader.hpp"
 

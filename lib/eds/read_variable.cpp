@@ -4,6 +4,7 @@
 #include <array>
 
 #include "base/ascii.hpp"
+#include "diagnostic/rules/eds.hpp"
 #include "eds/object_keys.hpp"
 #include "eds/words.hpp"
 

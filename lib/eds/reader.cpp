@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "diagnostic/rules/eds.hpp"
 #include "eds/reading.hpp"
 
 namespace cgw::eds {

@@ -7,6 +7,7 @@
 #include "base/ascii.hpp"
 #include "base/numbers.hpp"
 #include "base/utf8.hpp"
+#include "diagnostic/rules/eds.hpp"
 #include "eds/reader.hpp"
 #include "eds/value_text.hpp"
 
@@ -41,8 +42,8 @@ void Reading::report_whole_file(const diagnostic::Rule& rule, std::string messag
 void Reading::finish() {
     for (const auto& [rule, count] : counts_) {
         if (count > most_) {
-            report_whole_file(*rule, fmt::format("{} more findings of this kind are not told one by one",
-                                                 count - most_));
+            report_whole_file(
+                *rule, fmt::format("{} more findings of this kind are not told one by one", count - most_));
         }
     }
 }

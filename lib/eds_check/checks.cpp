@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "diagnostic/rules/eds.hpp"
+#include "diagnostic/rules/eds_check.hpp"
 #include "eds_check/context.hpp"
 #include "eds_check/repairs.hpp"
 #include "eds_check/subjects.hpp"

@@ -5,6 +5,7 @@
 #include <array>
 #include <map>
 
+#include "diagnostic/rules/eds_check.hpp"
 #include "eds_check/context.hpp"
 #include "eds_check/counts.hpp"
 #include "eds_check/subjects.hpp"

@@ -7,6 +7,7 @@
 
 #include "base/ascii.hpp"
 #include "base/utf8.hpp"
+#include "diagnostic/rules/eds_check.hpp"
 #include "eds/words.hpp"
 #include "eds_check/context.hpp"
 #include "eds_check/counts.hpp"

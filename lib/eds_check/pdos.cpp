@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 
+#include "diagnostic/rules/eds_check.hpp"
 #include "eds/words.hpp"
 #include "eds_check/context.hpp"
 #include "eds_check/standard_objects.hpp"

@@ -7,7 +7,7 @@
 
 #include "base/abort_codes.hpp"
 #include "catalogue/errors.hpp"
-#include "diagnostic/rules.hpp"
+#include "diagnostic/rule.hpp"
 #include "explain/answer.hpp"
 #include "explain/query.hpp"
 #include "parameter/catalogue.hpp"

@@ -8,6 +8,7 @@
 #include "base/ascii.hpp"
 #include "base/edit_distance.hpp"
 #include "base/utf8.hpp"
+#include "diagnostic/rules.hpp"
 #include "explain/entries.hpp"
 #include "explain/wording.hpp"
 #include "facts/gateway.hpp"

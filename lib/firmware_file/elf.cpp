@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "diagnostic/rules/firmware.hpp"
+
 namespace cgw::firmware_file {
 namespace {
 

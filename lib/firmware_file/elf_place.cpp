@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "base/utf8.hpp"
+#include "diagnostic/rules/firmware.hpp"
 #include "firmware_file/elf.hpp"
 
 namespace cgw::firmware_file {

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "base/sha256.hpp"
+#include "diagnostic/rules/firmware.hpp"
 #include "image/area.hpp"
 
 namespace cgw::firmware_file {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "diagnostic/rules/firmware.hpp"
 #include "image/area.hpp"
 #include "image/layout.hpp"
 #include "wire/crc32.hpp"

@@ -6,6 +6,8 @@
 #include <array>
 #include <stdexcept>
 
+#include "diagnostic/rules/firmware.hpp"
+
 namespace cgw::firmware_file {
 namespace {
 

@@ -7,6 +7,7 @@
 
 #include "base/ascii.hpp"
 #include "base/utf8.hpp"
+#include "diagnostic/rules/firmware.hpp"
 
 namespace cgw::firmware_file {
 namespace {

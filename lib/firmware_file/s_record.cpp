@@ -7,6 +7,8 @@
 #include <numeric>
 #include <set>
 
+#include "diagnostic/rules/firmware.hpp"
+
 namespace cgw::firmware_file {
 namespace {
 

@@ -4,6 +4,8 @@
 
 #include "base/files.hpp"
 #include "catalogue/catalogue.hpp"
+#include "diagnostic/rules/files.hpp"
+#include "diagnostic/rules/keys.hpp"
 #include "input/sections.hpp"
 
 namespace cgw::input {

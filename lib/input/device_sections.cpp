@@ -4,6 +4,8 @@
 
 #include <optional>
 
+#include "diagnostic/rules/keys.hpp"
+
 namespace cgw::input {
 namespace {
 

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "catalogue/catalogue.hpp"
+#include "diagnostic/rules/files.hpp"
 #include "input/context.hpp"
 #include "input/parameter_values.hpp"
 #include "input/sections.hpp"

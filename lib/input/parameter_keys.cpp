@@ -10,6 +10,7 @@
 #include "base/ascii.hpp"
 #include "base/edit_distance.hpp"
 #include "base/numbers.hpp"
+#include "diagnostic/rules/keys.hpp"
 #include "input/required.hpp"
 
 namespace cgw::input {

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/numbers.hpp"
+#include "diagnostic/rules/keys.hpp"
 #include "input/parameter_keys.hpp"
 #include "input/required.hpp"
 #include "input/value_limits.hpp"

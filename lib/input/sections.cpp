@@ -5,6 +5,7 @@
 #include <map>
 
 #include "base/numbers.hpp"
+#include "diagnostic/rules/keys.hpp"
 #include "facts/identifiers.hpp"
 #include "input/device_sections.hpp"
 #include "input/table_reader.hpp"

@@ -10,6 +10,7 @@
 
 #include "base/edit_distance.hpp"
 #include "base/utf8.hpp"
+#include "diagnostic/rules/keys.hpp"
 #include "input/parameter_keys.hpp"
 
 namespace cgw::input {

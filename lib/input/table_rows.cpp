@@ -9,6 +9,7 @@
 #include "base/numbers.hpp"
 #include "base/sheet_words.hpp"
 #include "base/text_cells.hpp"
+#include "diagnostic/rules/tables.hpp"
 #include "input/parameter_keys.hpp"
 #include "input/table_header.hpp"
 #include "input/table_values.hpp"

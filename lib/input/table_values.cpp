@@ -7,6 +7,8 @@
 
 #include "base/ascii.hpp"
 #include "base/numbers.hpp"
+#include "diagnostic/rules/keys.hpp"
+#include "diagnostic/rules/tables.hpp"
 #include "input/value_limits.hpp"
 #include "toml/document.hpp"
 

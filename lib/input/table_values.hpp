@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "diagnostic/rules.hpp"
+#include "diagnostic/rule.hpp"
 #include "parameter/row.hpp"
 
 namespace cgw::input {

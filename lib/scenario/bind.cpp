@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "base/ascii.hpp"
+#include "diagnostic/rules/scenarios.hpp"
 #include "facts/gateway.hpp"
 #include "scenario/actions.hpp"
 #include "scenario/read_value.hpp"

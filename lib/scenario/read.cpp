@@ -5,6 +5,9 @@
 #include <utility>
 #include <vector>
 
+#include "diagnostic/rules/files.hpp"
+#include "diagnostic/rules/keys.hpp"
+#include "diagnostic/rules/scenarios.hpp"
 #include "scenario/actions.hpp"
 #include "scenario/read_value.hpp"
 #include "toml/document.hpp"

@@ -9,6 +9,7 @@
 #include "base/edit_distance.hpp"
 #include "base/numbers.hpp"
 #include "base/utf8.hpp"
+#include "diagnostic/rules/keys.hpp"
 #include "facts/gateway.hpp"
 #include "scenario/names.hpp"
 

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "diagnostic/diagnostic.hpp"
+#include "diagnostic/rules/files.hpp"
 
 namespace cgw::toml {
 

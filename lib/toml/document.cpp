@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/utf8.hpp"
+#include "diagnostic/rules/files.hpp"
 #include "toml/judge.hpp"
 #include "toml/scanner.hpp"
 #include "toml/source.hpp"

@@ -8,6 +8,7 @@
 #include <toml.hpp>
 
 #include "base/numbers.hpp"
+#include "diagnostic/rules/files.hpp"
 
 namespace cgw::toml {
 namespace {

@@ -6,6 +6,7 @@
 #include <span>
 #include <utility>
 
+#include "diagnostic/rules/files.hpp"
 #include "toml/literal.hpp"
 #include "toml/strings.hpp"
 #include "toml/tokens.hpp"

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "base/utf8.hpp"
+#include "diagnostic/rules/files.hpp"
 
 namespace cgw::toml {
 

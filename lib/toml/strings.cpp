@@ -7,6 +7,7 @@
 #include <cstdint>
 
 #include "base/utf8.hpp"
+#include "diagnostic/rules/files.hpp"
 
 namespace cgw::toml {
 namespace {

@@ -5,6 +5,8 @@
 #include <functional>
 #include <utility>
 
+#include "diagnostic/rules/files.hpp"
+
 namespace cgw::toml {
 
 using diagnostic::Range;

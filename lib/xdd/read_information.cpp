@@ -6,6 +6,7 @@
 #include <charconv>
 
 #include "base/ascii.hpp"
+#include "diagnostic/rules/xdd.hpp"
 #include "eds/words.hpp"
 #include "xdd/dates.hpp"
 #include "xdd/reading.hpp"

@@ -5,6 +5,7 @@
 #include <array>
 #include <utility>
 
+#include "diagnostic/rules/xdd.hpp"
 #include "xdd/reading.hpp"
 
 namespace cgw::xdd {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "diagnostic/rules/xdd.hpp"
 #include "xdd/reading.hpp"
 #include "xdd/words.hpp"
 

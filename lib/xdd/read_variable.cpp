@@ -4,6 +4,7 @@
 #include <array>
 
 #include "base/ascii.hpp"
+#include "diagnostic/rules/xdd.hpp"
 #include "dictionary/data_types.hpp"
 #include "eds/words.hpp"
 #include "xdd/reading.hpp"

@@ -6,6 +6,7 @@
 
 #include "base/ascii.hpp"
 #include "base/utf8.hpp"
+#include "diagnostic/rules/xdd.hpp"
 #include "xdd/reading.hpp"
 
 namespace cgw::xdd {

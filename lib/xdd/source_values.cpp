@@ -5,6 +5,7 @@
 
 #include "base/ascii.hpp"
 #include "base/numbers.hpp"
+#include "diagnostic/rules/xdd.hpp"
 #include "eds/value_text.hpp"
 #include "xdd/source.hpp"
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "check/checks.hpp"
+#include "diagnostic/rules.hpp"
 #include "support/plant_builder.hpp"
 
 namespace cgw::test {

@@ -8,6 +8,8 @@
 
 #include "check/file_checker.hpp"
 #include "check/findings_text.hpp"
+#include "diagnostic/rules.hpp"
+#include "diagnostic/rules/files.hpp"
 #include "support/golden.hpp"
 #include "toml/document.hpp"
 

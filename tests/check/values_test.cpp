@@ -4,6 +4,7 @@
 #include <set>
 
 #include "check/findings_text.hpp"
+#include "diagnostic/rules.hpp"
 
 namespace cgw::check {
 namespace {

@@ -3,6 +3,10 @@
 #include <chrono>
 
 #include "diagnostic/renderers.hpp"
+#include "diagnostic/rules/keys.hpp"
+#include "diagnostic/rules/notes.hpp"
+#include "diagnostic/rules/plant.hpp"
+#include "diagnostic/rules/warnings.hpp"
 #include "diagnostic/source_lines.hpp"
 
 namespace cgw::diagnostic {

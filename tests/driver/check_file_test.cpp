@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "diagnostic/rules/files.hpp"
+#include "diagnostic/rules/keys.hpp"
 #include "support/scratch_directory.hpp"
 
 namespace cgw::driver {

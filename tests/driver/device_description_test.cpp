@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include "diagnostic/rules/eds.hpp"
+#include "diagnostic/rules/files.hpp"
+#include "diagnostic/rules/firmware.hpp"
 #include "dictionary/difference.hpp"
 #include "driver/data_sheet.hpp"
 #include "driver/outputs.hpp"

@@ -8,6 +8,7 @@
 #include "check/findings_text.hpp"
 #include "check/overlay.hpp"
 #include "dbc/read.hpp"
+#include "diagnostic/rules.hpp"
 #include "driver/check_file.hpp"
 #include "driver/scenario_file.hpp"
 #include "driver/tables.hpp"

@@ -9,6 +9,8 @@
 
 #include "authoring/clone.hpp"
 #include "catalogue/catalogue.hpp"
+#include "diagnostic/rules/files.hpp"
+#include "diagnostic/rules/tables.hpp"
 #include "driver/check_file.hpp"
 #include "driver/plant.hpp"
 #include "emit/emitter.hpp"

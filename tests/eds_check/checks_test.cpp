@@ -5,6 +5,10 @@
 #include <chrono>
 #include <set>
 
+#include "diagnostic/rules.hpp"
+#include "diagnostic/rules/eds.hpp"
+#include "diagnostic/rules/eds_check.hpp"
+#include "diagnostic/rules/plant.hpp"
 #include "eds_check/checked.hpp"
 #include "support/valid_data_sheet.hpp"
 

@@ -1,6 +1,8 @@
 // The data sheet that the manual prints (chapter 10): all its faults (D41), and what is repaired of them.
 #include <gtest/gtest.h>
 
+#include "diagnostic/rules/eds.hpp"
+#include "diagnostic/rules/eds_check.hpp"
 #include "eds_check/checked.hpp"
 #include "eds_check/fix.hpp"
 #include "support/golden.hpp"

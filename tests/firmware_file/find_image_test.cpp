@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "diagnostic/rules/firmware.hpp"
 #include "elf_builder.hpp"
 #include "support/image_bytes.hpp"
 #include "support/sample_plant.hpp"

@@ -3,6 +3,8 @@
 #include <algorithm>
 
 #include "authoring/from_image.hpp"
+#include "diagnostic/rules/files.hpp"
+#include "diagnostic/rules/keys.hpp"
 #include "driver/decompile.hpp"
 #include "fuzz/fuzz.hpp"
 #include "parameter/settings.hpp"

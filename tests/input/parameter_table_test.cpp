@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "diagnostic/rules/tables.hpp"
 #include "support/golden.hpp"
 
 namespace cgw::input {

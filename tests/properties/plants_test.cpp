@@ -11,6 +11,7 @@
 #include "authoring/clone.hpp"
 #include "compare/compare.hpp"
 #include "config/numbers.hpp"
+#include "diagnostic/rules/notes.hpp"
 #include "driver/check_file.hpp"
 #include "driver/outputs.hpp"
 #include "driver/plant.hpp"

@@ -1,4 +1,5 @@
 // One finding for a text that is not TOML, at the right place and in plain words.
+#include "diagnostic/rules/files.hpp"
 #include "toml/judge.hpp"
 #include "toml/support.hpp"
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "diagnostic/rules/xdd.hpp"
 #include "support/random_dictionary.hpp"
 #include "xdd/reading_result.hpp"
 #include "xdd/writer.hpp"

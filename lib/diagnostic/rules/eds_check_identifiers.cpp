@@ -1,5 +1,5 @@
 // E0889..E0894: CAN identifiers (COB-IDs) in an EDS or DCF, as checked.
-#include "diagnostic/rules.hpp"
+#include "diagnostic/rules/eds_check.hpp"
 
 namespace cgw::diagnostic::rules {
 

@@ -1,5 +1,5 @@
 // E02: what makes the plant fail.
-#include "diagnostic/rules.hpp"
+#include "diagnostic/rules/plant.hpp"
 
 namespace cgw::diagnostic::rules {
 

@@ -1,5 +1,5 @@
 // E0867..E0879: what an EDS or DCF says of itself, device and node, as checked.
-#include "diagnostic/rules.hpp"
+#include "diagnostic/rules/eds_check.hpp"
 
 namespace cgw::diagnostic::rules {
 

@@ -1,5 +1,5 @@
 // E07: firmware files, and images in them.
-#include "diagnostic/rules.hpp"
+#include "diagnostic/rules/firmware.hpp"
 
 namespace cgw::diagnostic::rules {
 

@@ -1,5 +1,5 @@
 // E0880..E0888: PDOs of an EDS or DCF, as checked.
-#include "diagnostic/rules.hpp"
+#include "diagnostic/rules/eds_check.hpp"
 
 namespace cgw::diagnostic::rules {
 

@@ -1,5 +1,5 @@
 // E0828..E0836: sections and keys of an EDS or DCF, as checked.
-#include "diagnostic/rules.hpp"
+#include "diagnostic/rules/eds_check.hpp"
 
 namespace cgw::diagnostic::rules {
 

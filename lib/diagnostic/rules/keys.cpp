@@ -1,5 +1,5 @@
 // E01: keys, parameters, values.
-#include "diagnostic/rules.hpp"
+#include "diagnostic/rules/keys.hpp"
 
 namespace cgw::diagnostic::rules {
 

@@ -1,5 +1,5 @@
 // E04: notes, what the devices make of a setting.
-#include "diagnostic/rules.hpp"
+#include "diagnostic/rules/notes.hpp"
 
 namespace cgw::diagnostic::rules {
 

@@ -1,5 +1,5 @@
 // E06: scenario files.
-#include "diagnostic/rules.hpp"
+#include "diagnostic/rules/scenarios.hpp"
 
 namespace cgw::diagnostic::rules {
 

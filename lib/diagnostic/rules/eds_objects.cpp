@@ -1,5 +1,5 @@
 // E0810..E0817: what an EDS or DCF says of objects.
-#include "diagnostic/rules.hpp"
+#include "diagnostic/rules/eds.hpp"
 
 namespace cgw::diagnostic::rules {
 

@@ -1,5 +1,5 @@
 // E10: CAN databases (DBC).
-#include "diagnostic/rules.hpp"
+#include "diagnostic/rules/dbc.hpp"
 
 namespace cgw::diagnostic::rules {
 

@@ -1,5 +1,5 @@
 // E0801..E0809: electronic data sheets and configuration files (EDS, DCF) as text: sections, keys, numbers.
-#include "diagnostic/rules.hpp"
+#include "diagnostic/rules/eds.hpp"
 
 namespace cgw::diagnostic::rules {
 

@@ -1,5 +1,5 @@
 // E00: the file as such.
-#include "diagnostic/rules.hpp"
+#include "diagnostic/rules/files.hpp"
 
 namespace cgw::diagnostic::rules {
 

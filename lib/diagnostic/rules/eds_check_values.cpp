@@ -1,5 +1,5 @@
 // E0860..E0866: values of an EDS or DCF, as checked.
-#include "diagnostic/rules.hpp"
+#include "diagnostic/rules/eds_check.hpp"
 
 namespace cgw::diagnostic::rules {
 

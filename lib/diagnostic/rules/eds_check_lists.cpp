@@ -1,5 +1,5 @@
 // E0837..E0845: lists of an EDS or DCF, as checked.
-#include "diagnostic/rules.hpp"
+#include "diagnostic/rules/eds_check.hpp"
 
 namespace cgw::diagnostic::rules {
 

@@ -1,5 +1,5 @@
 // E0901..E0913: XML device descriptions and configurations (XDD, XDC).
-#include "diagnostic/rules.hpp"
+#include "diagnostic/rules/xdd.hpp"
 
 namespace cgw::diagnostic::rules {
 

@@ -1,5 +1,5 @@
 // E05: printed tables read in, files copied.
-#include "diagnostic/rules.hpp"
+#include "diagnostic/rules/tables.hpp"
 
 namespace cgw::diagnostic::rules {
 

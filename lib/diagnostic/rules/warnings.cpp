@@ -1,5 +1,5 @@
 // E03: warnings, what works but hardly as it was meant.
-#include "diagnostic/rules.hpp"
+#include "diagnostic/rules/warnings.hpp"
 
 namespace cgw::diagnostic::rules {
 

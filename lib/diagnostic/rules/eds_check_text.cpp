@@ -1,5 +1,5 @@
 // E0820..E0827: an EDS or DCF as text, as checked.
-#include "diagnostic/rules.hpp"
+#include "diagnostic/rules/eds_check.hpp"
 
 namespace cgw::diagnostic::rules {
 
