@@ -2,17 +2,11 @@
 #include <fmt/format.h>
 
 #include "base/canopen_text.hpp"
-#include "config/numbers.hpp"
-#include "dbc/names.hpp"
 #include "emit/dbc_parts.hpp"
-#include "emit/pdo_rows.hpp"
-#include "facts/communication.hpp"
 #include "facts/identifiers.hpp"
 
 namespace cgw::emit {
 namespace {
-
-using config::Direction;
 
 namespace cob = facts::cob;
 
@@ -25,47 +19,33 @@ dbc::Signal field(const std::string& name, unsigned start_bit, unsigned length) 
     return signal;
 }
 
-std::string time_text(const config::Pdo& pdo) {
-    if (pdo.direction == Direction::receive) {
-        return pdo.time.cycles == 0 ? "not monitored"
-                                    : fmt::format("monitored: comes at least every {}",
-                                                  base::milliseconds_text(pdo.time.effective_us));
+std::string time_text(const signals::Frame& frame) {
+    if (!frame.transmit()) {
+        return frame.monitoring_us == 0 ? "not monitored"
+                                        : fmt::format("monitored: comes at least every {}",
+                                                      base::milliseconds_text(frame.monitoring_us));
     }
-    return pdo.time.cycles == 0
-               ? "sent when a bit changes"
-               : fmt::format("sent every {}", base::milliseconds_text(pdo.time.effective_us));
+    return frame.period_us == 0 ? "sent when a bit changes"
+                                : fmt::format("sent every {}", base::milliseconds_text(frame.period_us));
 }
 
-dbc::Message pdo_message(const Plant& plant, const DbcNodes& nodes, const config::Pdo& pdo) {
-    const bool transmit = pdo.direction == Direction::transmit;
-    const std::string function = pdo.name();
+dbc::Message pdo_message(const DbcNodes& nodes, const signals::Frame& frame) {
     dbc::Message message;
-    message.identifier = pdo.cob_id;
-    message.name = dbc_message_name(nodes, function);
-    message.length = pdo.length();
-    message.sender = transmit ? nodes.gateway : nodes.partner;
-    message.receiver = transmit ? nodes.partner : nodes.gateway;
-    namespace objects = facts::object;
-    const unsigned offset = pdo.number - 1U;
-    const unsigned communication =
-        (transmit ? objects::tpdo_communication : objects::rpdo_communication) + offset;
-    const unsigned mapping = (transmit ? objects::tpdo_mapping : objects::rpdo_mapping) + offset;
-    message.comment = fmt::format("{} ({}, {}), {}", function, base::object_text(communication),
-                                  base::object_text(mapping), time_text(pdo));
-    if (transmit) {
-        message.send_type = pdo.time.cycles == 0 ? dbc::SendType::spontaneous : dbc::SendType::cyclic;
-        if (pdo.time.cycles != 0) {
-            message.cycle_ms = pdo.time.effective_ms();
+    message.identifier = frame.identifier;
+    message.name = dbc_message_name(nodes, frame.name);
+    message.length = frame.length;
+    message.sender = frame.transmit() ? nodes.gateway : nodes.partner;
+    message.receiver = frame.transmit() ? nodes.partner : nodes.gateway;
+    message.comment = fmt::format("{} ({}, {}), {}", frame.name, base::object_text(frame.communication),
+                                  base::object_text(frame.mapping), time_text(frame));
+    if (frame.transmit()) {
+        message.send_type = frame.period_us == 0 ? dbc::SendType::spontaneous : dbc::SendType::cyclic;
+        if (frame.period_us != 0) {
+            message.cycle_ms = frame.period_us / 1000;
         }
     }
-    dbc::Names names;
-    unsigned first_bit = 0;
-    for (const config::MappedWord& word : pdo.mapping) {
-        for (dbc::Signal& signal : dbc_word_signals(plant, word, first_bit)) {
-            signal.name = names.take(signal.name);
-            message.signals.push_back(std::move(signal));
-        }
-        first_bit += config::word_bits;
+    for (const signals::Signal& signal : frame.signals) {
+        message.signals.push_back(dbc_signal(signal));
     }
     return message;
 }
@@ -153,10 +133,9 @@ std::string dbc_message_name(const DbcNodes& nodes, const std::string& function)
 
 std::vector<dbc::Message> dbc_pdo_messages(const Plant& plant, const DbcNodes& nodes) {
     std::vector<dbc::Message> messages;
-    for (const config::Pdo& pdo : plant.configuration.pdos) {
-        if (pdo.active) {
-            messages.push_back(pdo_message(plant, nodes, pdo));
-        }
+    for (const signals::Frame& frame :
+         signals::frames_of(plant.settings, plant.catalogue, plant.configuration)) {
+        messages.push_back(pdo_message(nodes, frame));
     }
     return messages;
 }

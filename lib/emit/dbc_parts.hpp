@@ -6,6 +6,7 @@
 
 #include "dbc/database.hpp"
 #include "emit/emitter.hpp"
+#include "signals/frames.hpp"
 
 namespace cgw::emit {
 
@@ -27,9 +28,7 @@ std::vector<dbc::Message> dbc_pdo_messages(const Plant& plant, const DbcNodes& n
 // NMT, SDO request and answer, heartbeats of the gateway and its partner.
 std::vector<dbc::Message> dbc_service_messages(const Plant& plant, const DbcNodes& nodes);
 
-// The signals of one mapped word; `first_bit` is that of the word in its message. No signals for a dummy.
-// Names are not unique yet.
-std::vector<dbc::Signal> dbc_word_signals(const Plant& plant, const config::MappedWord& word,
-                                          unsigned first_bit);
+// A signal of the plant in the words of the database.
+dbc::Signal dbc_signal(const signals::Signal& from);
 
 }  // namespace cgw::emit
