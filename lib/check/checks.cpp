@@ -28,6 +28,7 @@ const Check table[] = {
     {&rules::tpdo_parameter_unknown, check_known_outputs},
     {&rules::tpdo_parameter_bit, check_bit_outputs},
     {&rules::communication_off, check_communication},
+    {&rules::bit_timing_impossible, check_possible_timing},
 
     {&rules::monitoring_early, check_early_monitoring},
     {&rules::monitoring_short, check_short_monitoring},
@@ -44,6 +45,8 @@ const Check table[] = {
     {&rules::start_up_delay_mismatch, check_start_up_delays},
     {&rules::partner_unmonitored, check_partner_unmonitored},
     {&rules::heartbeat_off, check_heartbeat},
+    {&rules::bit_rate_unusual, check_usual_bit_rate},
+    {&rules::sample_point, check_sample_point},
 
     {&rules::manual_misprint, check_misprints},
     {&rules::time_quantised, check_quantised_times},

@@ -13,6 +13,11 @@ void check_communication(const Context& context);
 void check_start_up_delays(const Context& context);
 void check_comparable_bit_rates(const Context& context);
 
+// bit_timing.cpp
+void check_possible_timing(const Context& context);
+void check_usual_bit_rate(const Context& context);
+void check_sample_point(const Context& context);
+
 // nodes.cpp
 void check_partner(const Context& context);
 void check_listed_nodes(const Context& context);

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/canopen_text.hpp"
+#include "bit_timing/timing.hpp"
 #include "facts/gateway.hpp"
 #include "parameter/row.hpp"
 #include "parameter/settings.hpp"
@@ -37,6 +38,11 @@ struct BusTiming {
     std::uint8_t phase_segment_2 = 0;
     std::uint8_t prop_segment = 0;  // 0 in the governor, which has none
 };
+
+// The registers with their clock and controller; nullopt where timing is not manual, or the parameter file
+// tells neither (D7).
+std::optional<bit_timing::Timing> timing_by_hand(const BusTiming& timing,
+                                                 const std::optional<parameter::BitTiming>& controller);
 
 // Bits per second: as set, or from registers, clock and controller family (D7), rounded. nullopt where the
 // timing is manual and the parameter file tells no clock.

@@ -39,19 +39,32 @@ BusTiming bus_timing(const parameter::ParameterSet& set, std::uint16_t manual, s
 
 }  // namespace
 
+std::optional<bit_timing::Timing> timing_by_hand(const BusTiming& timing,
+                                                 const std::optional<parameter::BitTiming>& controller) {
+    if (!timing.manual || !controller) {
+        return std::nullopt;
+    }
+    return bit_timing::Timing{.clock_hz = controller->clock_hz,
+                              .controller = controller->controller,
+                              .registers = {.prescaler = timing.prescaler,
+                                            .sync_jump_width = timing.sync_jump_width,
+                                            .sampling_mode = timing.sampling_mode,
+                                            .phase_segment_1 = timing.phase_segment_1,
+                                            .phase_segment_2 = timing.phase_segment_2,
+                                            .prop_segment = timing.prop_segment}};
+}
+
 std::optional<std::uint32_t> bit_rate(const BusTiming& timing,
                                       const std::optional<parameter::BitTiming>& controller) {
     if (!timing.manual) {
         return timing.bit_rate_kbit * 1000U;
     }
-    if (!controller) {
+    const std::optional<bit_timing::Timing> by_hand = timing_by_hand(timing, controller);
+    if (!by_hand) {
         return std::nullopt;
     }
-    const std::uint64_t quanta =
-        1U + (timing.prop_segment + 1U) + (timing.phase_segment_1 + 1U) + (timing.phase_segment_2 + 1U);
-    const std::uint64_t clocks_per_step = controller->family == parameter::ControllerFamily::mcp2515 ? 2 : 1;
-    const std::uint64_t clocks_per_bit = clocks_per_step * (timing.prescaler + 1U) * quanta;
-    return static_cast<std::uint32_t>((controller->clock_hz + clocks_per_bit / 2) / clocks_per_bit);
+    const std::uint64_t clocks_per_bit = by_hand->clocks_per_bit();
+    return static_cast<std::uint32_t>((by_hand->clock_hz + clocks_per_bit / 2) / clocks_per_bit);
 }
 
 CyclicTime cyclic_time(std::uint32_t asked_ms, std::uint32_t main_cycle_us) {

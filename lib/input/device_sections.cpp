@@ -10,20 +10,12 @@ namespace cgw::input {
 namespace {
 
 namespace rules = diagnostic::rules;
+using bit_timing::controller_names;
 using parameter::BitTiming;
-using parameter::ControllerFamily;
 using toml::Entry;
 using toml::Kind;
 
 constexpr std::string_view profiles[] = {"digital-governor"};
-
-struct Family {
-    std::string_view name;
-    ControllerFamily family;
-};
-constexpr Family families[] = {{"mcp2515", ControllerFamily::mcp2515},
-                               {"at90can", ControllerFamily::at90can}};
-constexpr std::string_view family_names[] = {families[0].name, families[1].name};
 
 using enum Presence;
 
@@ -80,17 +72,15 @@ constexpr Key identity_keys[] = {
 constexpr Table identity_table{"gateway.identity", identity_keys};
 
 void read_family(Context& context, const Entry& entry) {
-    for (const Family& family : families) {
-        if (family.name == entry.value.text) {
-            return;
-        }
+    if (bit_timing::find_controller(entry.value.text) != nullptr) {
+        return;
     }
-    std::string help = did_you_mean(entry.value.text, family_names);
+    std::string help = did_you_mean(entry.value.text, controller_names);
     context.report(rules::key_value, entry.value.range,
                    fmt::format("unknown controller family {}", toml::quoted(entry.value.text)),
-                   help.empty()
-                       ? fmt::format(R"(the families are "{}" and "{}")", family_names[0], family_names[1])
-                       : std::move(help));
+                   help.empty() ? fmt::format(R"(the families are "{}" and "{}")", controller_names[0],
+                                              controller_names[1])
+                                : std::move(help));
 }
 
 // Values are taken by read_controller(), when the table as a whole is in order.
@@ -107,7 +97,7 @@ constexpr Key controller_keys[] = {
      .presence = required,
      .read = read_family,
      .text = "family of the CAN controller: it decides how bit timing registers become a bit rate (D7)",
-     .words = family_names},
+     .words = controller_names},
 };
 
 std::optional<BitTiming> read_controller(Context& context, const Entry& entry, const Table& table) {
@@ -118,11 +108,7 @@ std::optional<BitTiming> read_controller(Context& context, const Entry& entry, c
     }
     BitTiming timing;
     timing.clock_hz = unsigned_of(*entry.value.find("clock_hz"));
-    for (const Family& family : families) {
-        if (family.name == entry.value.find("family")->value.text) {
-            timing.family = family.family;
-        }
-    }
+    timing.controller = bit_timing::find_controller(entry.value.find("family")->value.text);
     timing.where = context.at(entry.value.range);
     return timing;
 }

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "bit_timing/controller.hpp"
 #include "diagnostic/location.hpp"
 #include "facts/gateway.hpp"
 #include "parameter/catalogue.hpp"
@@ -79,11 +80,9 @@ struct Identity {
     std::uint32_t serial_number = 0;     // 3845, 0..65535
 };
 
-enum class ControllerFamily : std::uint8_t { mcp2515, at90can };
-
 struct BitTiming {
     std::uint32_t clock_hz = 0;
-    ControllerFamily family = ControllerFamily::mcp2515;
+    const bit_timing::Controller* controller = nullptr;  // never null in what was read
     diagnostic::Location where{};
 };
 

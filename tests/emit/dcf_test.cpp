@@ -50,7 +50,7 @@ TEST(EmitDcf, says_that_it_does_not_know_a_bit_rate_set_by_hand) {
 
 TEST(EmitDcf, computes_a_bit_rate_set_by_hand_from_the_stated_clock) {
     test::SamplePlant plant(manual_timing());
-    plant.settings.can2_bit_timing = {16'000'000, parameter::ControllerFamily::mcp2515, {}};
+    plant.settings.can2_bit_timing = {16'000'000, bit_timing::find_controller("mcp2515"), {}};
     EXPECT_TRUE(contains(plant.emit("dcf", ""), "\r\nBaudrate=500\r\n"));
 }
 
@@ -58,7 +58,7 @@ TEST(EmitDcf, tells_a_bit_rate_that_is_no_whole_number_of_kbit) {
     test::SamplePlant plant(manual_timing());
     plant.configuration.can2.prescaler = 3;
     plant.configuration.can2.prop_segment = 4;
-    plant.settings.can2_bit_timing = {16'000'000, parameter::ControllerFamily::mcp2515, {}};
+    plant.settings.can2_bit_timing = {16'000'000, bit_timing::find_controller("mcp2515"), {}};
     const std::string text = plant.emit("dcf", "");
     EXPECT_FALSE(contains(text, "Baudrate="));
     EXPECT_TRUE(contains(text, "=Baudrate is left out: the bit timing set by hand (4426 = 1) makes 133333 "));

@@ -114,7 +114,7 @@ TEST(InputSections, a_complete_file_is_read_without_a_finding) {
     EXPECT_EQ(settings.identity.serial_number, 12U);
     ASSERT_TRUE(settings.can1_bit_timing && settings.can2_bit_timing);
     EXPECT_EQ(settings.can1_bit_timing->clock_hz, 16000000U);
-    EXPECT_EQ(settings.can1_bit_timing->family, parameter::ControllerFamily::mcp2515);
+    EXPECT_EQ(settings.can1_bit_timing->controller, bit_timing::find_controller("mcp2515"));
     EXPECT_EQ(settings.can1_bit_timing->where.range.start, (diagnostic::Position{17, 23}));
     EXPECT_EQ(settings.can2_bit_timing->family, parameter::ControllerFamily::at90can);
     ASSERT_EQ(settings.network_nodes.size(), 2U);

@@ -286,5 +286,26 @@ const Rule communication_off{
     .good =
         "[governor.parameters]\n"
         "4406 = 1                            # CanCommCMOn\n"};
+const Rule bit_timing_impossible{
+    .code = "E0216",
+    .name = "bit-timing-impossible",
+    .level = Level::error,
+    .summary = "bit timing by hand keeps the rules of the CAN controller",
+    .reference = "GWM 7.2.2, D7, D77",
+    .why =
+        "A controller that is given segments it cannot make does what its data sheet leaves open: it is "
+        "deaf, or disturbs the bus with error frames. Nothing tells so but a silent network.",
+    .bad =
+        "[gateway]\n"
+        "bit_timing = { can2 = { clock_hz = 16000000, family = \"mcp2515\" } }\n"
+        "[gateway.parameters]\n"
+        "4426 = 1                            # registers 420..425 instead of 426\n"
+        "420 = [3, 0, 0, 6, 0, 5]             # phase segment 2 of 1 TQ\n",
+    .good =
+        "[gateway]\n"
+        "bit_timing = { can2 = { clock_hz = 16000000, family = \"mcp2515\" } }\n"
+        "[gateway.parameters]\n"
+        "4426 = 1                            # registers 420..425 instead of 426\n"
+        "420 = [3, 0, 0, 6, 1, 5]             # 125 kbit/s, sampled at 87.5 %\n"};
 
 }  // namespace cgw::diagnostic::rules

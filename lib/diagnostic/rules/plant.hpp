@@ -19,7 +19,8 @@
     RULE(engine_stop_over_canopen) \
     RULE(tpdo_parameter_unknown) \
     RULE(tpdo_parameter_bit) \
-    RULE(communication_off)
+    RULE(communication_off) \
+    RULE(bit_timing_impossible)
 // clang-format on
 
 namespace cgw::diagnostic::rules {

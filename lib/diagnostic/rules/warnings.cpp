@@ -272,5 +272,47 @@ const Rule heartbeat_off{
     .good =
         "[gateway.parameters]\n"
         "429 = 1008\n"};
+const Rule bit_rate_unusual{
+    .code = "E0316",
+    .name = "bit-rate-unusual",
+    .level = Level::warning,
+    .summary = "bit timing by hand makes a bit rate of CANopen",
+    .reference = "CiA 301, GWM 7.2.2, D7, D77",
+    .why =
+        "All nodes of a bus need the same bit rate. Devices and tools offer those of CiA 301; one that is "
+        "typed wrong by a single register is near none of them.",
+    .bad =
+        "[gateway]\n"
+        "bit_timing = { can2 = { clock_hz = 16000000, family = \"mcp2515\" } }\n"
+        "[gateway.parameters]\n"
+        "4426 = 1                            # registers 420..425 instead of 426\n"
+        "420 = [4, 0, 0, 6, 1, 5]             # 100 kbit/s\n",
+    .good =
+        "[gateway]\n"
+        "bit_timing = { can2 = { clock_hz = 16000000, family = \"mcp2515\" } }\n"
+        "[gateway.parameters]\n"
+        "4426 = 1                            # registers 420..425 instead of 426\n"
+        "420 = [3, 0, 0, 6, 1, 5]             # 125 kbit/s, sampled at 87.5 %\n"};
+const Rule sample_point{
+    .code = "E0317",
+    .name = "sample-point",
+    .level = Level::warning,
+    .summary = "bit timing by hand samples a bit where other devices do",
+    .reference = "CiA 301, GWM 7.2.2, D77",
+    .why =
+        "Nodes that sample a bit at different places disagree on long cables or with cheap oscillators, "
+        "and only now and then: the worst kind of fault.",
+    .bad =
+        "[gateway]\n"
+        "bit_timing = { can2 = { clock_hz = 16000000, family = \"mcp2515\" } }\n"
+        "[gateway.parameters]\n"
+        "4426 = 1                            # registers 420..425 instead of 426\n"
+        "420 = [3, 0, 0, 4, 5, 3]             # sampled at 62.5 %\n",
+    .good =
+        "[gateway]\n"
+        "bit_timing = { can2 = { clock_hz = 16000000, family = \"mcp2515\" } }\n"
+        "[gateway.parameters]\n"
+        "4426 = 1                            # registers 420..425 instead of 426\n"
+        "420 = [3, 0, 0, 6, 1, 5]             # 125 kbit/s, sampled at 87.5 %\n"};
 
 }  // namespace cgw::diagnostic::rules

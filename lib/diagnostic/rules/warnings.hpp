@@ -19,7 +19,9 @@
     RULE(sensor_channel_shared) \
     RULE(start_up_delay_mismatch) \
     RULE(partner_unmonitored) \
-    RULE(heartbeat_off)
+    RULE(heartbeat_off) \
+    RULE(bit_rate_unusual) \
+    RULE(sample_point)
 // clang-format on
 
 namespace cgw::diagnostic::rules {
