@@ -23,6 +23,7 @@ std::span<const Verb* const> all_verbs() {
         &eds_fix_verb,
         &eds_diff_verb,
         &convert_verb,
+        &bit_timing_verb,
         &diff_verb,
         &clone_verb,
         &verify_verb,

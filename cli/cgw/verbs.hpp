@@ -14,6 +14,7 @@ extern const Verb schema_verb;
 extern const Verb new_verb;
 extern const Verb import_table_verb;
 extern const Verb import_eds_verb;
+extern const Verb bit_timing_verb;
 extern const Verb diff_verb;
 extern const Verb clone_verb;
 extern const Verb image_verify_verb;

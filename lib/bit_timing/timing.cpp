@@ -10,12 +10,12 @@ namespace cgw::bit_timing {
 namespace {
 
 constexpr Register register_rows[] = {
-    {"BRP", "prescaler", highest_prescaler, &Registers::prescaler},
-    {"SJW", "synchronisation jump width", longest_jump_width - 1, &Registers::sync_jump_width},
-    {"SAM", "three samples a bit", 1, &Registers::sampling_mode},
-    {"PS1", "phase segment 1", longest_segment - 1, &Registers::phase_segment_1},
-    {"PS2", "phase segment 2", longest_segment - 1, &Registers::phase_segment_2},
-    {"Prop", "propagation segment", longest_segment - 1, &Registers::prop_segment},
+    {"BRP", "brp", "prescaler", highest_prescaler, &Registers::prescaler},
+    {"SJW", "sjw", "synchronisation jump width", longest_jump_width - 1, &Registers::sync_jump_width},
+    {"SAM", "sam", "three samples a bit", 1, &Registers::sampling_mode},
+    {"PS1", "ps1", "phase segment 1", longest_segment - 1, &Registers::phase_segment_1},
+    {"PS2", "ps2", "phase segment 2", longest_segment - 1, &Registers::phase_segment_2},
+    {"Prop", "prop", "propagation segment", longest_segment - 1, &Registers::prop_segment},
 };
 
 // Lengths as CiA 301 estimates them; sample points by D77.
@@ -97,7 +97,8 @@ std::vector<std::string> violations(const Timing& timing) {
         found.push_back(
             fmt::format("phase segment 2 has {} TQ, the controller needs {}", second, shortest_phase_2));
     }
-    if (jump > second || (controller.phase_2_above_jump_width && jump == second)) {
+    if (second >= shortest_phase_2 &&
+        (jump > second || (controller.phase_2_above_jump_width && jump == second))) {
         found.push_back(fmt::format("phase segment 2 has {} TQ, which must be {} the jump width of {} TQ",
                                     second, controller.phase_2_above_jump_width ? "more than" : "at least",
                                     jump));
@@ -117,6 +118,18 @@ std::vector<std::string> violations(const Timing& timing) {
         found.push_back("three samples a bit need a prescaler register above 0");
     }
     return found;
+}
+
+std::optional<std::array<std::uint8_t, 3>> cnf_registers(const Timing& timing) {
+    if (!timing.controller->has_cnf_registers) {
+        return std::nullopt;
+    }
+    constexpr std::uint32_t segments_by_hand = 0x80;  // BTLMODE: PS2 is what CNF3 says
+    const Registers& registers = timing.registers;
+    return std::array{static_cast<std::uint8_t>(registers.sync_jump_width << 6 | registers.prescaler),
+                      static_cast<std::uint8_t>(segments_by_hand | registers.sampling_mode << 6 |
+                                                registers.phase_segment_1 << 3 | registers.prop_segment),
+                      static_cast<std::uint8_t>(registers.phase_segment_2)};
 }
 
 std::span<const StandardRate> standard_rates() {

@@ -2,7 +2,9 @@
 // bus, and the rules that make it work (D7, D77; CiA 301, bit rates).
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -26,6 +28,7 @@ struct Registers {
 // What a register is called and how far it goes, in the order of the parameters 410.. and 420...
 struct Register {
     std::string_view name;  // "BRP"
+    std::string_view key;   // "brp", for programs
     std::string_view text;  // "prescaler"
     std::uint32_t highest;
     std::uint32_t Registers::*member;
@@ -51,6 +54,9 @@ struct Timing {
 // What the data sheet of the controller forbids, one sentence each: "phase segment 2 has 1 TQ, needs 2";
 // empty when the registers work. Rates are not judged here.
 std::vector<std::string> violations(const Timing& timing);
+
+// CNF1..CNF3 of an MCP2515, as its tools and drivers show them (BTLMODE set); nullopt for families without.
+std::optional<std::array<std::uint8_t, 3>> cnf_registers(const Timing& timing);
 
 // A bit rate of CiA 301, table of bit rates: what every CANopen device may know.
 struct StandardRate {

@@ -109,7 +109,7 @@ void check_sample_point(const Context& context) {
              sample * 100, rate->bit_rate / 1000, rate->lowest_sample * 100, rate->highest_sample * 100),
          .where = found->place->where,
          .help = fmt::format("cgw bit-timing --clock {} --family {} --rate {} proposes registers",
-                             found->timing.clock_hz, found->timing.controller->name, rate->bit_rate)});
+                             found->timing.clock_hz, found->timing.controller->name, rate->bit_rate / 1000)});
 }
 
 }  // namespace cgw::check

@@ -103,7 +103,8 @@ class TextTable {
             append_line(line);
             line = std::string(indent, ' ');
         }
-        for (const std::string& part : wrap(row[shown_.back()], page_width - indent)) {
+        const bool empty = widths_.back() == 0;  // then its title goes as well
+        for (const std::string& part : wrap(empty ? "" : row[shown_.back()], page_width - indent)) {
             append_line(line + part);
             line = std::string(indent, ' ');
         }

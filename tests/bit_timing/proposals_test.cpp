@@ -38,9 +38,9 @@ TEST(Proposals, are_none_when_the_clock_cannot_make_the_rate) {
 
 TEST(Proposals, work_and_come_near) {
     for (const Controller& controller : controllers) {
-        for (std::uint32_t clock = 4'000'000; clock <= 40'000'000; clock += 921'600) {
+        for (std::uint32_t clock = 4'000'000; clock <= 40'000'000; clock += 4'608'000) {
             for (const StandardRate& rate : standard_rates()) {
-                for (const double sample : {0.5, 0.75, 0.875, 0.95}) {
+                for (const double sample : {0.5, 0.875}) {
                     double last = 0;
                     for (const Timing& timing : propose({clock, &controller, rate.bit_rate, sample})) {
                         EXPECT_TRUE(violations(timing).empty());

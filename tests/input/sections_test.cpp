@@ -116,7 +116,7 @@ TEST(InputSections, a_complete_file_is_read_without_a_finding) {
     EXPECT_EQ(settings.can1_bit_timing->clock_hz, 16000000U);
     EXPECT_EQ(settings.can1_bit_timing->controller, bit_timing::find_controller("mcp2515"));
     EXPECT_EQ(settings.can1_bit_timing->where.range.start, (diagnostic::Position{17, 23}));
-    EXPECT_EQ(settings.can2_bit_timing->family, parameter::ControllerFamily::at90can);
+    EXPECT_EQ(settings.can2_bit_timing->controller, bit_timing::find_controller("at90can"));
     ASSERT_EQ(settings.network_nodes.size(), 2U);
     EXPECT_EQ(settings.network_nodes[1].node_id, 127);
     EXPECT_EQ(settings.network_nodes[1].where.range.start, (diagnostic::Position{25, 13}));

@@ -22,7 +22,7 @@ def run(*command, **options):
 
 def verbs():
     text = subprocess.run([CGW, "--help"], stdout=subprocess.PIPE, text=True, check=True).stdout
-    return re.findall(r"^  ([a-z]+(?: [a-z]+)?)  ", text, re.M)
+    return re.findall(r"^  ([a-z-]+(?: [a-z]+)?)  ", text, re.M)
 
 
 class ManPages(unittest.TestCase):

@@ -300,12 +300,22 @@ const Rule bit_timing_impossible{
         "bit_timing = { can2 = { clock_hz = 16000000, family = \"mcp2515\" } }\n"
         "[gateway.parameters]\n"
         "4426 = 1                            # registers 420..425 instead of 426\n"
-        "420 = [3, 0, 0, 6, 0, 5]             # phase segment 2 of 1 TQ\n",
+        "420 = 3                             # phase segment 2 of 1 TQ\n"
+        "421 = 0\n"
+        "422 = 0\n"
+        "423 = 6\n"
+        "424 = 0\n"
+        "425 = 5\n",
     .good =
         "[gateway]\n"
         "bit_timing = { can2 = { clock_hz = 16000000, family = \"mcp2515\" } }\n"
         "[gateway.parameters]\n"
         "4426 = 1                            # registers 420..425 instead of 426\n"
-        "420 = [3, 0, 0, 6, 1, 5]             # 125 kbit/s, sampled at 87.5 %\n"};
+        "420 = 3                             # 125 kbit/s, sampled at 87.5 %\n"
+        "421 = 0\n"
+        "422 = 0\n"
+        "423 = 6\n"
+        "424 = 1\n"
+        "425 = 5\n"};
 
 }  // namespace cgw::diagnostic::rules

@@ -286,13 +286,23 @@ const Rule bit_rate_unusual{
         "bit_timing = { can2 = { clock_hz = 16000000, family = \"mcp2515\" } }\n"
         "[gateway.parameters]\n"
         "4426 = 1                            # registers 420..425 instead of 426\n"
-        "420 = [4, 0, 0, 6, 1, 5]             # 100 kbit/s\n",
+        "420 = 4                             # 100 kbit/s\n"
+        "421 = 0\n"
+        "422 = 0\n"
+        "423 = 6\n"
+        "424 = 1\n"
+        "425 = 5\n",
     .good =
         "[gateway]\n"
         "bit_timing = { can2 = { clock_hz = 16000000, family = \"mcp2515\" } }\n"
         "[gateway.parameters]\n"
         "4426 = 1                            # registers 420..425 instead of 426\n"
-        "420 = [3, 0, 0, 6, 1, 5]             # 125 kbit/s, sampled at 87.5 %\n"};
+        "420 = 3                             # 125 kbit/s, sampled at 87.5 %\n"
+        "421 = 0\n"
+        "422 = 0\n"
+        "423 = 6\n"
+        "424 = 1\n"
+        "425 = 5\n"};
 const Rule sample_point{
     .code = "E0317",
     .name = "sample-point",
@@ -307,12 +317,22 @@ const Rule sample_point{
         "bit_timing = { can2 = { clock_hz = 16000000, family = \"mcp2515\" } }\n"
         "[gateway.parameters]\n"
         "4426 = 1                            # registers 420..425 instead of 426\n"
-        "420 = [3, 0, 0, 4, 5, 3]             # sampled at 62.5 %\n",
+        "420 = 3                             # sampled at 62.5 %\n"
+        "421 = 0\n"
+        "422 = 0\n"
+        "423 = 4\n"
+        "424 = 5\n"
+        "425 = 3\n",
     .good =
         "[gateway]\n"
         "bit_timing = { can2 = { clock_hz = 16000000, family = \"mcp2515\" } }\n"
         "[gateway.parameters]\n"
         "4426 = 1                            # registers 420..425 instead of 426\n"
-        "420 = [3, 0, 0, 6, 1, 5]             # 125 kbit/s, sampled at 87.5 %\n"};
+        "420 = 3                             # 125 kbit/s, sampled at 87.5 %\n"
+        "421 = 0\n"
+        "422 = 0\n"
+        "423 = 6\n"
+        "424 = 1\n"
+        "425 = 5\n"};
 
 }  // namespace cgw::diagnostic::rules
