@@ -34,6 +34,7 @@ constexpr Option convert_options[] = {
      .summary = "what to make of it; follows from the ending of -o",
      .words = format_words},
     text_output_option,
+    force_option,
     node_id_option,
     color_option,
 };
@@ -109,6 +110,7 @@ int run_convert(const Arguments& arguments) {
     const convert::Format& format = format_of(arguments);
     const std::optional<std::uint8_t> node_id = node_id_of(arguments);
     refuse_input_as_output(output, {path});
+    refuse_existing_output(arguments, output);
     int exit_code = exit_fine;
     driver::DeviceDescription description = load_description(arguments, path, exit_code);
     if (!description.valid()) {

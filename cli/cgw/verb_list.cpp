@@ -23,14 +23,16 @@ struct Request {
     bool for_people;
 };
 
-Table emitter_list() {
+// People read that there is no file; programs an empty cell.
+Table emitter_list(bool for_people) {
     Table table{"emitters", false, {}, {}};
     table.columns = {
         {"name", "name"}, {"format", "format"}, {"file", "file of build"}, {"summary", "what it is"}};
     for (const emit::Emitter& emitter : emit::all_emitters()) {
         for (const emit::Format& format : emitter.formats) {
+            const std::string file = emit::file_name(format, {});
             table.rows.push_back({std::string(emitter.name), std::string(format.name),
-                                  emit::file_name(format, {}), std::string(emitter.summary)});
+                                  file.empty() && for_people ? "none" : file, std::string(emitter.summary)});
         }
     }
     return table;
@@ -47,7 +49,8 @@ constexpr ListRow lists[] = {
     {"parameters", "parameters and measurements of the devices", true,
      [](const Request& r) { return explain::parameter_list(r.catalogue, r.device, r.for_people); }},
     {"checks", "the rules behind the findings", false, [](const Request&) { return explain::check_list(); }},
-    {"emitters", "artefacts that build and emit write", false, [](const Request&) { return emitter_list(); }},
+    {"emitters", "artefacts that build and emit write", false,
+     [](const Request& r) { return emitter_list(r.for_people); }},
     {"codes", "error numbers of the devices and SDO abort codes", true,
      [](const Request& r) { return explain::code_list(r.catalogue, r.device); }},
     {"assumptions", "points that the documents leave open, to measure on a device", false,

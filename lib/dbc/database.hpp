@@ -33,22 +33,23 @@ struct Signal {
     double minimum = 0;  // physical; both 0: not stated
     double maximum = 0;
     std::string unit;
+    std::vector<std::string> receivers;  // nodes; none: not known
     std::string comment;
     std::vector<NamedValue> values;
 };
 
-enum class SendType : std::uint8_t { cyclic, spontaneous, not_stated };
+// The first three are what is printed; `other` is any other word that a file has.
+enum class SendType : std::uint8_t { cyclic, spontaneous, not_stated, other };
 
 struct Message {
     std::uint16_t identifier = 0;  // 11 bits, unique in the database
     std::string name;              // unique in the database
     std::uint8_t length = 8;       // bytes
     std::string sender;            // a node
-    std::string receiver;          // a node, of every signal
     std::vector<Signal> signals;
     std::string comment;
     SendType send_type = SendType::not_stated;
-    std::optional<std::uint32_t> cycle_ms;  // 0..65535
+    std::optional<std::uint32_t> cycle_ms;  // 1..65535; none: not stated
 };
 
 struct Database {

@@ -5,20 +5,16 @@
 
 #include "base/numbers.hpp"
 #include "dbc/database.hpp"
+#include "dbc/words.hpp"
 #include "dictionary/ascii.hpp"
 
 namespace cgw::dbc {
 namespace {
 
 constexpr std::string_view line_end = "\r\n";
-constexpr std::string_view nobody = "Vector__XXX";  // the format's word for a node that is not known
-
 // What a reader may meet in the file, as all tools list it.
 constexpr std::array<std::string_view, 10> new_symbols{
     "NS_DESC_", "CM_", "BA_DEF_", "BA_", "VAL_", "CAT_DEF_", "CAT_", "FILTER", "BA_DEF_DEF_", "VAL_TABLE_"};
-
-// Values of the attribute GenMsgSendType, in the order of SendType.
-constexpr std::array<std::string_view, 3> send_types{"Cyclic", "Spontaneous", "NoMsgSendType"};
 
 class Printer {
   public:
@@ -78,7 +74,8 @@ class Printer {
                      signal.length, signal.big_endian ? 0 : 1, signal.is_signed ? '-' : '+',
                      base::to_text(signal.factor), base::to_text(signal.offset),
                      base::to_text(signal.minimum), base::to_text(signal.maximum), quoted(signal.unit),
-                     message.receiver.empty() ? nobody : message.receiver);
+                     signal.receivers.empty() ? std::string(nobody)
+                                              : fmt::format("{}", fmt::join(signal.receivers, ",")));
             }
             blank();
         }
@@ -120,7 +117,7 @@ class Printer {
         for (const Message& message : database_->messages) {
             line(R"(BA_ "VFrameFormat" BO_ {} 0;)", message.identifier);
             line(R"(BA_ "GenMsgSendType" BO_ {} {};)", message.identifier,
-                 static_cast<unsigned>(message.send_type));
+                 static_cast<unsigned>(std::min(message.send_type, SendType::not_stated)));
             if (message.cycle_ms) {
                 line(R"(BA_ "GenMsgCycleTime" BO_ {} {};)", message.identifier, *message.cycle_ms);
             }

@@ -7,7 +7,9 @@
 
 #include "base/numbers.hpp"
 #include "base/utf8.hpp"
+#include "dbc/attributes.hpp"
 #include "dbc/tokens.hpp"
+#include "dbc/words.hpp"
 #include "diagnostic/rules/dbc.hpp"
 
 namespace cgw::dbc {
@@ -41,6 +43,7 @@ class Reader {
             }
             skip_to_next_statement(statement);
         }
+        attributes_.apply(database_.messages);
         if (database_.messages.empty()) {
             findings_.report(
                 {&rules::dbc_text, "the file has no message: it is no CAN database", {path_, {}}});
@@ -115,6 +118,10 @@ class Reader {
             read_message();
         } else if (keyword.text == "SG_") {
             read_signal(keyword);
+        } else if (keyword.text == "BA_DEF_" && peek() != nullptr && peek()->text == "BO_") {
+            read_definition();
+        } else if (keyword.text == "BA_DEF_DEF_" && is_next(TokenKind::text)) {
+            read_default();
         } else if (keyword.text == "BA_" && is_next(TokenKind::text)) {
             read_attribute();
         } else if (keyword.text == "VAL_" && is_next(TokenKind::number)) {
@@ -177,10 +184,19 @@ class Reader {
         signal.maximum = take_real("a maximum");
         take_sign("]");
         signal.unit = take(TokenKind::text, "a unit in quotes").text;
-        if (is_next(TokenKind::word)) {
-            message_->receiver = peek()->text;
-        }
+        read_receivers(signal);
         message_->signals.push_back(std::move(signal));
+    }
+
+    // Between them commas, after which some files have blanks, or blanks alone.
+    void read_receivers(Signal& signal) {
+        while (peek() != nullptr && !peek()->begins_line &&
+               (is_next(TokenKind::word) || peek()->text == ",")) {
+            if (is_next(TokenKind::word) && peek()->text != nobody) {
+                signal.receivers.emplace_back(peek()->text);
+            }
+            ++next_;
+        }
     }
 
     // "1+" is one token where nothing stands between: little-endian, unsigned.
@@ -203,16 +219,47 @@ class Reader {
                                                                     : nullptr;
     }
 
+    // BA_DEF_ BO_ "GenMsgSendType" ENUM "Cyclic","Spontaneous": values may count these words.
+    void read_definition() {
+        ++next_;
+        if (take(TokenKind::text, "the name of an attribute").text != send_type_attribute) {
+            return;
+        }
+        while (peek() != nullptr && !peek()->begins_line) {
+            if (is_next(TokenKind::text)) {
+                attributes_.send_type_words.push_back(peek()->text);
+            }
+            ++next_;
+        }
+    }
+
+    std::uint32_t take_cycle_time() { return take_natural("a cycle time in ms", 0x7FFFFFFF); }
+
+    std::string_view take_send_type() {
+        return take(is_next(TokenKind::text) ? TokenKind::text : TokenKind::number, "a send type").text;
+    }
+
+    void read_default() {
+        const std::string_view name = take(TokenKind::text, "the name of an attribute").text;
+        if (name == cycle_time_attribute) {
+            attributes_.default_cycle_time = take_cycle_time();
+        } else if (name == send_type_attribute) {
+            attributes_.default_send_type = take_send_type();
+        }
+    }
+
     void read_attribute() {
         const std::string_view name = take(TokenKind::text, "the name of an attribute").text;
-        if (name != "GenMsgCycleTime" || peek() == nullptr || peek()->text != "BO_") {
+        const bool is_known = name == cycle_time_attribute || name == send_type_attribute;
+        if (!is_known || peek() == nullptr || peek()->text != "BO_") {
             return;
         }
         ++next_;
-        Message* const message = find(take_natural("the identifier of a message", ~std::uint32_t{0}));
-        const std::uint32_t cycle = take_natural("a cycle time in ms", 0x7FFFFFFF);
-        if (message != nullptr) {
-            message->cycle_ms = cycle;
+        const std::uint32_t identifier = take_natural("the identifier of a message", ~std::uint32_t{0});
+        if (name == cycle_time_attribute) {
+            attributes_.cycle_times[identifier] = take_cycle_time();
+        } else {
+            attributes_.send_types[identifier] = take_send_type();
         }
     }
 
@@ -240,6 +287,7 @@ class Reader {
     const std::string& path_;
     diagnostic::Findings& findings_;
     Database database_;
+    Attributes attributes_;
     std::map<std::uint16_t, std::size_t> by_identifier_;
     bool message_seen_ = false;
     Message* message_ = nullptr;  // whose signals follow; nullptr for one that is not read

@@ -6,6 +6,7 @@
 #include "base/utf8.hpp"
 #include "base/wrap.hpp"
 #include "profile/gateway.hpp"
+#include "proof/configuration_id.hpp"
 
 namespace cgw::driver {
 namespace {
@@ -21,8 +22,8 @@ void add_remark(std::vector<std::string>& remarks, std::string_view text) {
 // are of the kind of device, not of the plant.
 std::string title_of(const DeviceDescription& sheet) {
     const std::string& description = sheet.dictionary.file.description;
-    const std::size_t id = description.rfind(", configuration ");
-    const std::string title = id != std::string::npos ? description.substr(0, id) : std::string();
+    const proof::Identified parts = proof::split_id(description);
+    const std::string title(parts.id.empty() ? "" : parts.text);
     return title == profile::untitled_description() ? "" : base::printable(title);
 }
 

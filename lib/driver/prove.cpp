@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
 
 #include "base/files.hpp"
@@ -33,11 +34,20 @@ class Prover {
     }
 
   private:
+    // Errors for strict importers only: the file can be read and compared all the same.
+    static std::size_t strict_errors(const diagnostic::Findings& findings) {
+        const auto& all = findings.all();
+        return static_cast<std::size_t>(
+            std::count_if(all.begin(), all.end(), [](const diagnostic::Diagnostic& finding) {
+                return finding.promoted && finding.rule->level != diagnostic::Level::error;
+            }));
+    }
+
     // False when the file's errors leave nothing to compare.
     bool usable(const std::string& path, diagnostic::Findings findings) {
         findings.sort();
-        const bool errors = findings.has_errors();
-        proofs_.has_errors = proofs_.has_errors || errors;
+        proofs_.has_errors = proofs_.has_errors || findings.has_errors();
+        const bool errors = findings.count(diagnostic::Level::error) > strict_errors(findings);
         if (!findings.all().empty()) {
             proofs_.reports.push_back({path, findings.all()});
         }
@@ -57,7 +67,8 @@ class Prover {
         }
         proofs_.unreadable = proofs_.unreadable || description->unreadable;
         if (is_eds(description->kind) && description->valid()) {
-            description->findings = check_data_sheet_text(path, description->sources[path], {}).findings;
+            description->findings =
+                check_data_sheet_text(path, description->sources[path], {.strict = true}).findings;
         }
         if (!is_of_any_device(description->kind)) {
             description->findings.report(
@@ -66,10 +77,12 @@ class Prover {
                  {path, {}}});
         }
         proofs_.sources.merge(description->sources);
+        const std::size_t refused = strict_errors(description->findings);
         if (usable(path, std::move(description->findings))) {
             const auto& node = description->commissioning;
             add(path, to_text(description->kind),
                 proof::prove_description(plant_, {description->dictionary, node ? &*node : nullptr}));
+            proofs_.all.back().strict_errors = refused;
         }
     }
 

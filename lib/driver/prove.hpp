@@ -23,10 +23,12 @@ struct Proofs {
     std::vector<diagnostic::FileReport> reports;  // of those with findings
     std::map<std::string, std::string> sources;
     bool unreadable = false;  // one could not be read at all: exit code 3
-    bool has_errors = false;  // one has errors, and is not among `all`
+    // One has errors, if only for strict importers. Those with other errors are not among `all`.
+    bool has_errors = false;
 };
 
-// Data sheets are checked as `cgw eds check` does as well. An image may be a region read out of a device.
+// Data sheets are checked as `cgw eds check --strict` does as well. An image may be a region read out of a
+// device.
 Proofs prove(const emit::Plant& plant, const Artefacts& artefacts);
 
 }  // namespace cgw::driver

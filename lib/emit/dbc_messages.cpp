@@ -29,13 +29,19 @@ std::string time_text(const signals::Frame& frame) {
                                 : fmt::format("sent every {}", base::milliseconds_text(frame.period_us));
 }
 
+// Of a message with all its signals: who sends it, and who reads every signal.
+void address(dbc::Message& message, const std::string& sender, const std::string& receiver) {
+    message.sender = sender;
+    for (dbc::Signal& signal : message.signals) {
+        signal.receivers = {receiver};
+    }
+}
+
 dbc::Message pdo_message(const DbcNodes& nodes, const signals::Frame& frame) {
     dbc::Message message;
     message.identifier = frame.identifier;
     message.name = dbc_message_name(nodes, frame.name);
     message.length = frame.length;
-    message.sender = frame.transmit() ? nodes.gateway : nodes.partner;
-    message.receiver = frame.transmit() ? nodes.partner : nodes.gateway;
     message.comment = fmt::format("{} ({}, {}), {}", frame.name, base::object_text(frame.communication),
                                   base::object_text(frame.mapping), time_text(frame));
     if (frame.transmit()) {
@@ -47,6 +53,8 @@ dbc::Message pdo_message(const DbcNodes& nodes, const signals::Frame& frame) {
     for (const signals::Signal& signal : frame.signals) {
         message.signals.push_back(dbc_signal(signal));
     }
+    address(message, frame.transmit() ? nodes.gateway : nodes.partner,
+            frame.transmit() ? nodes.partner : nodes.gateway);
     return message;
 }
 
@@ -55,8 +63,6 @@ dbc::Message nmt_message(const DbcNodes& nodes) {
     message.identifier = cob::nmt;
     message.name = "NMT";
     message.length = 2;
-    message.sender = nodes.partner;
-    message.receiver = nodes.gateway;
     message.comment = "network management command";
     message.send_type = dbc::SendType::spontaneous;
     message.signals = {field("Command", 0, 8), field("NodeID", 8, 8)};
@@ -66,6 +72,7 @@ dbc::Message nmt_message(const DbcNodes& nodes) {
                                  {129, "reset node"},
                                  {130, "reset communication"}};
     message.signals[1].comment = "0: all nodes";
+    address(message, nodes.partner, nodes.gateway);
     return message;
 }
 
@@ -74,12 +81,11 @@ dbc::Message sdo_message(const DbcNodes& nodes, const config::Configuration& con
     message.identifier =
         static_cast<std::uint16_t>((request ? cob::sdo_request : cob::sdo_answer) + configuration.node_id);
     message.name = dbc_message_name(nodes, request ? "SDO_Request" : "SDO_Answer");
-    message.sender = request ? nodes.partner : nodes.gateway;
-    message.receiver = request ? nodes.gateway : nodes.partner;
     message.comment = request ? "access to the object dictionary" : "answer to an access, or its refusal";
     message.send_type = dbc::SendType::spontaneous;
     message.signals = {field("CommandSpecifier", 0, 8), field("Index", 8, 16), field("SubIndex", 24, 8),
                        field("Data", 32, 32)};
+    address(message, request ? nodes.partner : nodes.gateway, request ? nodes.gateway : nodes.partner);
     return message;
 }
 
@@ -88,11 +94,10 @@ dbc::Message heartbeat_message(const std::string& sender, const std::string& rec
     message.identifier = static_cast<std::uint16_t>(cob::heartbeat + node_id);
     message.name = sender + "_Heartbeat";
     message.length = 1;
-    message.sender = sender;
-    message.receiver = receiver;
     message.signals = {field("State", 0, 7)};
     message.signals[0].values = {
         {0, "boot-up"}, {4, "Stopped"}, {5, "Operational"}, {127, "Pre-Operational"}};
+    address(message, sender, receiver);
     return message;
 }
 

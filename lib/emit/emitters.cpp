@@ -9,7 +9,7 @@ constexpr std::array eds_formats{Format{"eds", ".eds", true}};
 constexpr std::array dcf_formats{Format{"dcf", ".dcf", true}};
 constexpr std::array xdd_formats{Format{"xdd", ".xdd", true}};
 constexpr std::array xdc_formats{Format{"xdc", ".xdc", true}};
-constexpr std::array concise_dcf_formats{Format{"bin", ".cdcf", true}};
+constexpr std::array concise_dcf_formats{Format{"bin", ""}};  // of a gateway always without entries
 constexpr std::array dbc_formats{Format{"dbc", ".dbc", true}};
 constexpr std::array<std::string_view, 1> image_options{"--no-labels"};
 constexpr std::array<std::string_view, 2> address_options{"--base", "--align"};
@@ -43,7 +43,7 @@ std::span<const Emitter> all_emitters() {
                 named_options},
         Emitter{"xdc", "XML configuration of this one node (CiA 311)", xdc_formats, emit_xdc, named_options},
         Emitter{"concise-dcf", "what a CANopen manager writes into this node at boot (CiA 302, 1F22h)",
-                concise_dcf_formats, emit_concise_dcf, named_options},
+                concise_dcf_formats, emit_concise_dcf},
         Emitter{"dbc", "CAN database: messages and scaled signals of the active PDOs", dbc_formats, emit_dbc,
                 named_options},
         Emitter{"pdo-table", "identifiers, cycle times and contents of the 20 PDOs", pdo_table_formats(),

@@ -4,20 +4,13 @@
 
 #include <algorithm>
 
+#include "proof/configuration_id.hpp"
+#include "proof/proving.hpp"
+
 namespace cgw::proof {
 namespace {
 
 using dictionary::Difference;
-
-constexpr std::string_view id_before = ", configuration ";
-constexpr std::size_t id_digits = 16;
-
-// The configuration id that cgw puts behind the description; "" in a file of another origin.
-std::string stated_id(const dictionary::Dictionary& dictionary) {
-    const std::string& description = dictionary.file.description;
-    const std::size_t at = description.rfind(id_before);
-    return at != std::string::npos ? description.substr(at + id_before.size(), id_digits) : std::string();
-}
 
 void add_if(Proof& proof, std::string_view aspect, std::string_view text, std::string a, std::string b) {
     if (a != b) {
@@ -40,6 +33,14 @@ void compare_node(Proof& proof, const emit::Plant& plant, const dictionary::Comm
 
 }  // namespace
 
+void compare_id(Proof& proof, std::string_view expected, const std::string& found) {
+    if (found.empty()) {
+        proof.differences.not_compared.emplace_back("configuration id");
+    } else {
+        add_if(proof, "configuration-id", "configuration id", std::string(expected), found);
+    }
+}
+
 Proof prove_description(const emit::Plant& plant, const Description& description) {
     Proof proof;
     const std::uint8_t node_id = plant.configuration.node_id;
@@ -50,9 +51,7 @@ Proof prove_description(const emit::Plant& plant, const Description& description
     if (node != nullptr) {
         compare_node(proof, plant, *node);
     }
-    if (const std::string id = stated_id(description.dictionary); !id.empty()) {
-        add_if(proof, "configuration-id", "configuration id", plant.configuration_id_text, id);
-    }
+    compare_id(proof, plant.configuration_id_text, configuration_id(description.dictionary));
     proof.compared = fmt::format("{} objects", plant.dictionary.objects.size());
     return proof;
 }

@@ -19,6 +19,7 @@ struct Proof {
     std::string_view kind;  // "EDS"
     std::string compared;   // "49 objects"
     dictionary::Differences differences;
+    std::size_t strict_errors = 0;  // for which strict importers refuse the file; the findings tell them
 };
 
 // What a description says of a device, and of the one node where it does (DCF).
@@ -32,8 +33,9 @@ Proof prove_description(const emit::Plant& plant, const Description& description
 // where the image has them. The version of cgw that wrote it does not count.
 Proof prove_image(const emit::Plant& plant, const image::Image& image);
 
-// Messages by identifier: length and cycle time; signals by name: place, sign, scaling, unit, named values.
-// Comments and other people's messages do not count, one that names the gateway as sender does.
+// Messages by identifier: name, sender, length, send type, cycle time; signals by name: place, sign, scaling,
+// range, unit, named values, receivers. Comments and other people's messages do not count, one that names the
+// gateway as sender does.
 Proof prove_database(const emit::Plant& plant, const dbc::Database& database);
 
 // What was compared with what.

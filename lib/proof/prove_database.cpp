@@ -6,7 +6,9 @@
 #include "base/numbers.hpp"
 #include "dbc/read.hpp"
 #include "emit/database.hpp"
+#include "proof/configuration_id.hpp"
 #include "proof/proof.hpp"
+#include "proof/proving.hpp"
 
 namespace cgw::proof {
 namespace {
@@ -21,7 +23,15 @@ struct MessageRow {
     std::string (*value)(const Message& message);
 };
 
+// By dbc::SendType.
+constexpr std::string_view send_type_texts[] = {"cyclic", "when something changes", "not stated",
+                                                "another word"};
+
 constexpr MessageRow message_rows[] = {
+    {"message-name", "name", [](const Message& m) { return m.name; }},
+    {"message-sender", "sender", [](const Message& m) { return m.sender; }},
+    {"message-send-type", "send type",
+     [](const Message& m) { return std::string(send_type_texts[static_cast<std::size_t>(m.send_type)]); }},
     {"message-length", "length, bytes", [](const Message& m) { return fmt::format("{}", m.length); }},
     {"message-cycle", "cycle time, ms",
      [](const Message& m) {
@@ -45,6 +55,13 @@ std::string values_text(const Signal& signal) {
     return text.empty() ? "none" : text;
 }
 
+// In any order, as the format means it.
+std::string receivers_text(const Signal& signal) {
+    std::vector<std::string> receivers = signal.receivers;
+    std::sort(receivers.begin(), receivers.end());
+    return receivers.empty() ? "none" : fmt::format("{}", fmt::join(receivers, ", "));
+}
+
 constexpr SignalRow signal_rows[] = {
     {"signal-place", "first bit, length",
      [](const Signal& s) {
@@ -60,6 +77,7 @@ constexpr SignalRow signal_rows[] = {
      }},
     {"signal-unit", "unit", [](const Signal& s) { return s.unit; }},
     {"signal-values", "named values", values_text},
+    {"signal-receivers", "receivers", receivers_text},
 };
 
 class Comparer {
@@ -150,6 +168,7 @@ Proof prove_database(const emit::Plant& plant, const dbc::Database& database) {
     const dbc::Database expected = dbc::read(dbc::print(made), "", none);
     Proof proof;
     proof.differences = Comparer(expected, database, made.nodes.front().name).run();
+    compare_id(proof, plant.configuration_id_text, configuration_id(database));
     proof.compared = fmt::format("{} messages", expected.messages.size());
     return proof;
 }

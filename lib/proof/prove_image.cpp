@@ -2,10 +2,13 @@
 
 #include <algorithm>
 
+#include "base/sha256.hpp"
 #include "image_writer/dictionary_of.hpp"
 #include "image_writer/image_writer.hpp"
 #include "inspect/fields.hpp"
+#include "proof/configuration_id.hpp"
 #include "proof/proof.hpp"
+#include "proof/proving.hpp"
 #include "wire/little_endian.hpp"
 
 namespace cgw::proof {
@@ -86,11 +89,7 @@ Proof prove_image(const emit::Plant& plant, const image::Image& image) {
     proof.differences = dictionary::differences({.dictionary = plant.dictionary, .node_id = node_id},
                                                 {.dictionary = held, .node_id = node_id, .bare = true});
     proof.differences.not_compared.clear();  // the labels are
-    const std::span<const std::uint8_t> id = image.configuration_id();
-    if (!std::equal(id.begin(), id.end(), plant.configuration_id.begin())) {
-        add(proof, "configuration-id", "configuration id",
-            bytes_text(plant.configuration_id.data(), id.size()), bytes_text(id.data(), id.size()));
-    }
+    compare_id(proof, base::to_hex(plant.configuration_id), configuration_id(image));
     const base::Bytes bytes = image_writer::write_image({.settings = plant.settings,
                                                          .configuration = plant.configuration,
                                                          .dictionary = plant.dictionary,

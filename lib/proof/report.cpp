@@ -35,6 +35,10 @@ std::string proof_text(const Proof& proof) {
     text += found.same()
                 ? fmt::format("the same; {}\n", proof.compared)
                 : fmt::format("{} difference{}\n", found.all.size(), found.all.size() == 1 ? "" : "s");
+    if (proof.strict_errors != 0) {
+        text += fmt::format("  strict importers refuse it: {} error{}\n", proof.strict_errors,
+                            proof.strict_errors == 1 ? "" : "s");
+    }
     for (std::size_t i = 0; i < std::min(found.all.size(), most_shown); ++i) {
         text += difference_text(found.all[i]);
     }
@@ -75,6 +79,7 @@ std::string render_json(const Subject& subject, std::span<const Proof> proofs) {
         json.key("path").string(proof.path);
         json.key("kind").string(proof.kind);
         json.key("same").boolean(proof.differences.same());
+        json.key("strict_errors").integer(static_cast<std::int64_t>(proof.strict_errors));
         json.key("differences").begin_array();
         for (const dictionary::Difference& difference : proof.differences.all) {
             write_json(json, difference, "expected", "found");

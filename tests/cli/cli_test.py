@@ -25,7 +25,7 @@ CLEAN_GENSET = """: valid, no findings
   - other nodes: identifiers beyond the default ones of 1, 11
   - both devices: whether they hold these values; compare in DcDesk
 """
-ARTEFACTS = ["CANopenGateway.cdcf", "CANopenGateway.dbc", "CANopenGateway.dcf", "CANopenGateway.eds",
+ARTEFACTS = ["CANopenGateway.dbc", "CANopenGateway.dcf", "CANopenGateway.eds",
              "CANopenGateway.xdc", "CANopenGateway.xdd", "entry-sheet.csv",
              "entry-sheet.html", "entry-sheet.md", "gateway-config.bin", "pdo-table.csv", "pdo-table.json", "pdo-table.md"]
 
@@ -350,6 +350,7 @@ class List(Verb):
         names = {r["name"] for r in self.rows("emitters")}
         self.assertTrue({"eds", "pdo-table", "image"} <= names)
         files = {r["file"] for r in self.rows("emitters")} - {""}
+        self.assertRegex(cgw("list", "emitters").stdout.decode(), r"concise-dcf +bin +none ")
         self.assertTrue(set(ARTEFACTS) <= files)
 
     def test_what_makes_no_sense_is_refused(self):
@@ -428,7 +429,7 @@ class Usage(Verb):
         self.assert_usage("--generic takes no FILE", "emit", "eds", GENSET, "--generic")
         self.assert_usage("--generic is an option of eds, not of dcf", "emit", "dcf", "--generic")
         self.assert_usage("FILE is missing", "emit", "eds")
-        self.assert_usage("--eds-name is an option of eds, dcf, xdd, xdc, concise-dcf, dbc, not of image", "emit", "image", GENSET,
+        self.assert_usage("--eds-name is an option of eds, dcf, xdd, xdc, dbc, not of image", "emit", "image", GENSET,
                           "--eds-name", "x")
         for name in ("../x", "a/b.eds", "", ".eds", "x;y", "Gr\u00f6\u00dfe", "x.dcf", "x.xdd"):
             self.assert_usage("is no name for a data sheet", "emit", "eds", GENSET, "--eds-name", name)

@@ -46,6 +46,15 @@ class Convert(unittest.TestCase):
         self.assertEqual(cgw("convert", "-", "--to", "csv", stdin=DEVICE.read_bytes()).stdout,
                          cgw("convert", DEVICE, "--to", "csv").stdout)
 
+    def test_a_file_that_exists_is_not_overwritten(self):
+        target = self.dir / "a.xdd"
+        target.write_text("mine")
+        result = cgw("convert", DEVICE, "-o", target)
+        self.expect(result, 2, [f"{target} exists; --force overwrites it"])
+        self.assertEqual(target.read_text(), "mine")
+        self.expect(cgw("convert", DEVICE, "-o", target, "--force"), 0, ["ObjectLinks"])
+        self.assertNotEqual(target.read_text(), "mine")
+
     def test_there_and_back_describes_the_same_device(self):
         self.expect(cgw("convert", DEVICE, "-o", self.dir / "a.xdd"), 0, ["ObjectLinks"])
         self.expect(cgw("convert", self.dir / "a.xdd", "-o", self.dir / "b.eds"), 0)

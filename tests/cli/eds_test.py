@@ -296,6 +296,16 @@ class Verify(Case):
         self.assertFalse(document["same"])
         self.assertEqual(document["artefacts"][0]["differences"][0]["aspect"], "vendor-number")
 
+    def test_what_strict_importers_refuse_fails_though_nothing_differs(self):
+        refused = self.changed(b"AccessType=rww", b"AccessType=rw")
+        self.assertEqual(cgw("eds", "check", refused).returncode, 0)
+        result = cgw("verify", GENSET, "--eds", refused)
+        self.assertEqual(result.returncode, 1)
+        self.assertIn(b"  strict importers refuse it: 1 error\n", result.stdout)
+        document = json.loads(cgw("verify", GENSET, "--eds", refused, "--format", "json").stdout)
+        jsonschema.validate(document, json.loads((SCHEMAS / "proof-report.schema.json").read_text()))
+        self.assertEqual(document["artefacts"][0]["strict_errors"], 1)
+
     def test_what_cannot_be_read_or_is_refused(self):
         cut = self.dir / "cut.bin"
         cut.write_bytes(self.image.read_bytes()[:-1])

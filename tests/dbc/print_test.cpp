@@ -17,12 +17,12 @@ Database small() {
     speed.unit = "°C";
     speed.comment = "say \"a\\b\"\nagain";
     speed.values = {{0, "off"}, {1, "on"}};
+    speed.receivers = {"Master"};
     Message message;
     message.identifier = 0x181;
     message.name = "TPDO1";
     message.length = 4;
     message.sender = "GW1";
-    message.receiver = "Master";
     message.signals = {speed};
     message.send_type = SendType::cyclic;
     message.cycle_ms = 15;
@@ -74,7 +74,7 @@ TEST(DbcPrint, writes_value_tables_last) {
 TEST(DbcPrint, names_nobody_where_sender_or_receiver_is_not_known) {
     Database database = small();
     database.messages[0].sender.clear();
-    database.messages[0].receiver.clear();
+    database.messages[0].signals[0].receivers.clear();
     database.messages[0].cycle_ms.reset();
     const std::string text = print(database);
     EXPECT_TRUE(has_line(text, "BO_ 385 TPDO1: 4 Vector__XXX"));

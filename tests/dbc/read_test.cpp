@@ -52,7 +52,9 @@ Database database() {
     message.name = "GW12_TPDO1";
     message.length = 4;
     message.sender = "GW12";
-    message.receiver = "Node1";
+    speed.receivers = {"Node1", "Master"};
+    bit.receivers = {"Node1"};
+    message.send_type = SendType::cyclic;
     message.cycle_ms = 125;
     message.signals = {speed, bit};
     return made;
@@ -72,7 +74,9 @@ TEST(DbcRead, what_was_printed_comes_back) {
     EXPECT_EQ(message.name, "GW12_TPDO1");
     EXPECT_EQ(message.length, 4);
     EXPECT_EQ(message.sender, "GW12");
-    EXPECT_EQ(message.receiver, "Node1");
+    EXPECT_EQ(message.signals[0].receivers, (std::vector<std::string>{"Node1", "Master"}));
+    EXPECT_EQ(message.signals[1].receivers, std::vector<std::string>{"Node1"});
+    EXPECT_EQ(message.send_type, SendType::cyclic);
     EXPECT_EQ(message.cycle_ms, 125U);
     ASSERT_EQ(message.signals.size(), 2U);
     const Signal& speed = message.signals[0];
@@ -109,6 +113,28 @@ TEST(DbcRead, takes_what_other_tools_write) {
     ASSERT_EQ(motor.signals.size(), 1U);
     EXPECT_TRUE(motor.signals[0].big_endian);
     EXPECT_EQ(motor.signals[0].multiplexing, "m1");
+}
+
+TEST(DbcRead, send_types_count_the_words_of_the_file_and_have_its_default) {
+    const std::string messages = "BO_ 1 A: 8 N\nBO_ 2 B: 8 N\nBO_ 3 C: 8 N\n";
+    const Result result =
+        read_text(messages +
+                  "BA_DEF_ BO_ \"GenMsgSendType\" ENUM  \"OnChange\",\"spontaneous\",\"cyclic\";\n"
+                  "BA_DEF_DEF_ \"GenMsgSendType\" \"Cyclic\";\n"
+                  "BA_DEF_DEF_ \"GenMsgCycleTime\" 20;\n"
+                  "BA_ \"GenMsgSendType\" BO_ 1 0;\nBA_ \"GenMsgSendType\" BO_ 2 1;\n"
+                  "BA_ \"GenMsgCycleTime\" BO_ 2 0;\n");
+    EXPECT_TRUE(result.findings.all().empty());
+    ASSERT_EQ(result.database.messages.size(), 3U);
+    EXPECT_EQ(result.database.messages[0].send_type, SendType::other);
+    EXPECT_EQ(result.database.messages[1].send_type, SendType::spontaneous);
+    EXPECT_EQ(result.database.messages[2].send_type, SendType::cyclic);
+    EXPECT_EQ(result.database.messages[1].cycle_ms, std::nullopt);
+    EXPECT_EQ(result.database.messages[2].cycle_ms, 20U);
+    EXPECT_EQ(read_text(messages).database.messages[0].send_type, SendType::not_stated);
+    EXPECT_EQ(read_text(messages + "BA_ \"GenMsgSendType\" BO_ 1 9;\n").database.messages[0].send_type,
+              SendType::other);
+    EXPECT_EQ(finding_of(messages + "BA_ \"GenMsgSendType\" BO_ 1 x;\n"), "E1002 4:28");
 }
 
 TEST(DbcRead, tells_where_a_statement_cannot_be_read) {

@@ -142,6 +142,10 @@ TEST_F(Prove, every_part_of_a_signal_counts) {
         {"SG_ Error_3001 : 1|1@1+ (1,0) [0|1] \"\"", "SG_ Error_3001 : 1|1@1+ (1,0) [0|1] \"V\""},
         {"SG_ Error_3001 : 1|1", "SG_ Error_3001 m1 : 1|1"},
         {"BA_ \"GenMsgCycleTime\" BO_ 1164 ", "BA_ \"GenMsgCycleTime\" BO_ 1164 9"},
+        {"BA_ \"GenMsgSendType\" BO_ 1164 0", "BA_ \"GenMsgSendType\" BO_ 1164 1"},
+        {"BO_ 396 GW12_TPDO1: 8", "BO_ 396 GW12_TPDO2: 8"},
+        {"BO_ 396 GW12_TPDO1: 8 GW12", "BO_ 396 GW12_TPDO1: 8 Node1"},
+        {"SG_ Error_3001 : 1|1@1+ (1,0) [0|1] \"\" Node1", "SG_ Error_3001 : 1|1@1+ (1,0) [0|1] \"\" GW12"},
     };
     for (const auto& [before, after] : changes) {
         const std::size_t at = text.find(before);
@@ -156,6 +160,42 @@ TEST_F(Prove, messages_of_other_nodes_do_not_count_and_those_of_the_gateway_do) 
     const std::string text = text_of("dbc");
     EXPECT_TRUE(differences_of_database(text + "BO_ 500 Other: 8 Node1\r\n").same());
     EXPECT_FALSE(differences_of_database(text + "BO_ 500 Other: 8 GW12\r\n").same());
+}
+
+TEST_F(Prove, another_configuration_id_in_a_database_is_told_and_none_is_not_compared) {
+    std::string text = text_of("dbc");
+    const std::size_t id = text.find("configuration ") + std::string("configuration ").size();
+    ASSERT_EQ(text.substr(id, 16), plant->view().configuration_id_text);
+    std::string other = text;
+    other[id] = other[id] == '0' ? '1' : '0';
+    const dictionary::Differences differing = differences_of_database(other);
+    ASSERT_EQ(differing.all.size(), 1U);
+    EXPECT_EQ(differing.all[0].aspect, "configuration-id");
+    EXPECT_EQ(differing.all[0].a, plant->view().configuration_id_text);
+    const dictionary::Differences unknown = differences_of_database(text.erase(id, 16));
+    EXPECT_TRUE(unknown.same());
+    EXPECT_EQ(unknown.not_compared, std::vector<std::string_view>{"configuration id"});
+}
+
+// What importers refuse fails, though the device that it describes is the same.
+TEST_F(Prove, a_data_sheet_that_strict_importers_refuse_has_errors) {
+    const std::pair<std::string, std::string> changes[] = {
+        {"AccessType=rww", "AccessType=rw"},
+        {"AccessType=ro", "AccessType=RO"},
+        {"[DeviceInfo]\r\n", "[DeviceInfo]\r\nUnit=1\r\n"},
+    };
+    for (const auto& [before, after] : changes) {
+        std::string text = text_of("eds");
+        const std::size_t at = text.find(before);
+        ASSERT_NE(at, std::string::npos) << before;
+        text.replace(at, before.size(), after);
+        const Proofs proofs = prove(plant->view(), {{directory.write("strict.eds", text)}, {}, {}});
+        EXPECT_TRUE(proofs.has_errors) << after;
+        ASSERT_EQ(proofs.all.size(), 1U) << after;
+        EXPECT_EQ(proofs.all[0].strict_errors, 1U) << after;
+        EXPECT_NE(proof::formats()[0].render({"f", "id", 12}, proofs.all).find("strict importers refuse it"),
+                  std::string::npos);
+    }
 }
 
 TEST_F(Prove, another_node_number_in_a_dcf_is_told) {
