@@ -21,6 +21,10 @@ constexpr Option import_eds_options[] = {
      .required = true,
      .completes = Completes::files},
     node_id_option,
+    {.names = "--rest-from",
+     .value = "PLANT",
+     .summary = "parameter file that says what FILE cannot",
+     .completes = Completes::files},
     text_output_option,
     title_option,
     force_option,
@@ -34,7 +38,10 @@ constexpr std::string_view import_eds_details =
     "first lines of the file. Then the gateway that the file configures is compared\n"
     "with the data sheet, object by object; each difference is something that no\n"
     "gateway can do, or that the data sheet does not determine. Exit code 0 when the\n"
-    "file is valid, 1 when something is still missing or differs.\n";
+    "file is valid, 1 when something is still missing or differs.\n"
+    "With --rest-from everything that FILE cannot say comes from PLANT, a valid\n"
+    "parameter file: nodes and bit rate of CAN1, switches, parameters of the\n"
+    "governor. Where both say something and differ, FILE counts, and it is told.\n";
 
 // What became of it, on stderr.
 void report(const std::string& path, const driver::ImportedDataSheet& imported) {
@@ -42,6 +49,9 @@ void report(const std::string& path, const driver::ImportedDataSheet& imported) 
     std::string text;
     for (const std::string& each : imported.undetermined) {
         text += fmt::format("{}: does not say: {}\n", name, each);
+    }
+    for (const std::string& each : imported.contradictions) {
+        text += base::printable(fmt::format("{}: contradicts --rest-from: {}", path, each)) + "\n";
     }
     for (const dictionary::Difference& each : imported.differences.all) {
         text += base::printable(fmt::format("{}: differs: {} {}: {} -> {}", path, subject_text(each),
@@ -54,9 +64,21 @@ void report(const std::string& path, const driver::ImportedDataSheet& imported) 
 int run_import_eds(const Arguments& arguments) {
     const std::string path = arguments.value("FILE");
     const std::string output = arguments.value("--output");
-    const driver::ImportOptions options{title_of(arguments), node_id_of(arguments), schema_line(output)};
-    refuse_input_as_output(output, {path});
+    const std::string rest = arguments.value("--rest-from");
+    driver::ImportOptions options{title_of(arguments), node_id_of(arguments), schema_line(output)};
+    refuse_input_as_output(output, rest.empty() ? std::vector{path} : std::vector{path, rest});
     refuse_existing_output(arguments, output);
+    std::optional<driver::CheckedFile> plant;
+    if (arguments.given("--rest-from")) {
+        if (path == "-" && rest == "-") {
+            throw UsageError("standard input (-) can be read only once");
+        }
+        options.plant = &plant.emplace(driver::check_file(rest));
+        if (!plant->valid()) {
+            report_findings(*plant, use_color(arguments, stderr));
+            return exit_code_of(*plant);
+        }
+    }
     int exit_code = exit_fine;
     const driver::DeviceDescription sheet = load_description(arguments, path, exit_code);
     if (!sheet.valid()) {

@@ -3,14 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 
+#include "authoring/entry_names.hpp"
 #include "authoring/image_draft.hpp"
+#include "authoring/rest_of_plant.hpp"
 #include "base/canopen_text.hpp"
 #include "base/utf8.hpp"
 #include "config/monitoring_time.hpp"
 #include "config/numbers.hpp"
-#include "dictionary/ascii.hpp"
 #include "facts/communication.hpp"
 
 namespace cgw::authoring {
@@ -28,13 +28,13 @@ constexpr std::uint32_t identifier_mask = 0x1FFFFFFF;
 
 class Reading {
   public:
-    explicit Reading(const DataSheetSource& source) : source_(source) {}
+    explicit Reading(const DataSheetSource& source) : source_(source), rest_(to_, source.plant) {}
 
     FileFromDataSheet run(const std::vector<std::string>& remarks, const std::string& title) {
         to_.draft.remarks = remarks;
         to_.draft.title = title;
-        to_.set(Device::governor, governor::gateway_communication, 1);
-        to_.set(Device::gateway, gateway::governor_communication, 1);
+        rest_.say(Device::governor, governor::gateway_communication, 1);
+        rest_.say(Device::gateway, gateway::governor_communication, 1);
         read_node();
         read_identity();
         read_heartbeat();
@@ -42,10 +42,16 @@ class Reading {
         read_tpdos();
         read_rpdos();
         read_inputs();
-        for (const std::string_view always : not_in_data_sheets) {
-            miss(std::string(always));
+        if (rest_.plant() == nullptr) {
+            for (const std::string_view always : not_in_data_sheets) {
+                miss(std::string(always));
+            }
         }
-        return {to_.text(), std::move(undetermined_)};
+        rest_.finish();
+        for (std::string& each : to_.lost) {
+            miss(std::move(each));
+        }
+        return {to_.text(), std::move(undetermined_), rest_.contradictions()};
     }
 
   private:
@@ -87,13 +93,15 @@ class Reading {
             node_id_ = static_cast<std::uint8_t>(request->number & facts::cob::node_mask);
         }
         if (node_id_) {
-            to_.set(Device::gateway, gateway::node_id, *node_id_);
+            rest_.say(Device::gateway, gateway::node_id, *node_id_);
+        } else if (rest_.plant() != nullptr) {
+            node_id_ = rest_.plant()->configuration.node_id;
         } else {
             miss("node-ID (427): --node-id says it");
         }
         if (node != nullptr && node->bit_rate_kbit) {
-            to_.set(Device::gateway, gateway::canopen_bit_rate, *node->bit_rate_kbit);
-        } else {
+            rest_.say_bit_rate(*node->bit_rate_kbit);
+        } else if (rest_.plant() == nullptr) {
             miss("bit rate of CAN2 (426)");
         }
     }
@@ -105,130 +113,156 @@ class Reading {
 
     void read_heartbeat() {
         const std::uint32_t consumer = number(object::consumer_heartbeat, 1);
-        to_.set(Device::gateway, gateway::heartbeat_producer, number(object::producer_heartbeat, 0));
-        to_.set(Device::gateway, gateway::heartbeat_consumer, consumer & 0xFFFFU);
-        to_.set(Device::gateway, gateway::partner_node_id, consumer >> 16U & 0x7FU);
-        if (consumer == 0) {
+        say_heartbeat(gateway::heartbeat_producer, number(object::producer_heartbeat, 0) & 0xFFFFU,
+                      &config::Configuration::heartbeat_producer);
+        say_heartbeat(gateway::heartbeat_consumer, consumer & 0xFFFFU,
+                      &config::Configuration::heartbeat_consumer);
+        if (consumer != 0) {
+            rest_.say(Device::gateway, gateway::partner_node_id, consumer >> 16U & 0x7FU);
+        } else if (rest_.plant() == nullptr) {
             miss("partner of the heartbeat (428), which is not monitored");
         }
     }
 
-    bool is_sent(int tpdo) const {
-        const std::optional<Value> identifier = value(communication_of(tpdo), object::cob_id_sub);
+    void say_heartbeat(std::uint16_t number, std::uint32_t effective_ms,
+                       config::CyclicTime config::Configuration::*time) {
+        const PlantSource* const plant = rest_.plant();
+        rest_.say_time(Device::gateway, number, effective_ms, effective_ms,
+                       plant != nullptr ? &(plant->configuration.*time) : nullptr);
+    }
+
+    bool is_valid(unsigned communication) const {
+        const std::optional<Value> identifier = value(communication, object::cob_id_sub);
         return identifier && (identifier->number & facts::pdo_not_valid) == 0;
     }
+    bool is_sent(int tpdo) const { return is_valid(communication_of(tpdo)); }
 
     static unsigned communication_of(int tpdo) {
         return static_cast<unsigned>(object::tpdo_communication + tpdo - 1);
     }
 
     void read_binary_tpdos() {
-        to_.set(Device::governor, governor::send_errors, is_sent(1) || is_sent(2) ? 1 : 0);
-        to_.set(Device::governor, governor::send_status, is_sent(3) ? 1 : 0);
+        rest_.say(Device::governor, governor::send_errors, is_sent(1) || is_sent(2) ? 1 : 0);
+        rest_.say(Device::governor, governor::send_status, is_sent(3) ? 1 : 0);
     }
 
     // The shortest time that becomes as many main cycles as the object's floored one came from (D31).
-    static double asked_ms(std::uint32_t effective_ms) {
-        constexpr std::uint64_t cycle = facts::usual_governor_main_cycle_us;
+    double asked_ms(std::uint32_t effective_ms) const {
+        const std::uint32_t cycle = rest_.main_cycle_us();
         const std::uint64_t cycles = (std::uint64_t{effective_ms} * 1000 + cycle - 1) / cycle;
         return static_cast<double>(config::milliseconds_for(cycles, cycle));
     }
 
     void read_tpdos() {
         for (int tpdo = config::first_analogue_tpdo; tpdo <= config::tpdo_count; ++tpdo) {
-            const unsigned communication = communication_of(tpdo);
-            const std::optional<Value> identifier = value(communication, object::cob_id_sub);
+            const std::optional<Value> identifier = value(communication_of(tpdo), object::cob_id_sub);
             if (tpdo >= gateway::first_tpdo_of_own_identifier && identifier) {
-                to_.set(Device::gateway, gateway::tpdo_identifier_of(tpdo),
-                        static_cast<double>(identifier->resolve(node_id_.value_or(0)) & identifier_mask));
+                rest_.say(Device::gateway, gateway::tpdo_identifier_of(tpdo),
+                          static_cast<double>(identifier->resolve(node_id_.value_or(0)) & identifier_mask));
             }
-            to_.set(Device::governor, governor::tpdo_cycle_of(tpdo),
-                    asked_ms(number(communication, object::event_timer_sub)));
+            read_cycle(tpdo);
             read_words(tpdo);
+        }
+    }
+
+    // Of a TPDO that is not sent the data sheet tells neither time nor words.
+    void read_cycle(int tpdo) {
+        const std::uint32_t timer = number(communication_of(tpdo), object::event_timer_sub);
+        const PlantSource* const plant = rest_.plant();
+        if (plant == nullptr || is_sent(tpdo)) {
+            rest_.say_time(Device::governor, governor::tpdo_cycle_of(tpdo), timer, asked_ms(timer),
+                           plant != nullptr ? &plant->configuration.tpdo(tpdo).time : nullptr);
+        } else if (plant->configuration.tpdo(tpdo).active) {
+            rest_.say(Device::governor, governor::tpdo_cycle_of(tpdo), 0);
         }
     }
 
     void read_words(int tpdo) {
         const auto mapping = static_cast<unsigned>(object::tpdo_mapping + tpdo - 1);
-        const std::uint32_t words = std::min<std::uint32_t>(number(mapping, 0), facts::words_per_pdo);
-        for (std::uint8_t word = 1; word <= words; ++word) {
+        const std::uint32_t count = std::min<std::uint32_t>(number(mapping, 0), facts::words_per_pdo);
+        std::vector<const Row*> words;
+        for (std::uint8_t word = 1; word <= count; ++word) {
             const std::uint32_t entry = number(mapping, word);
             const Variable* const mapped = find(entry >> 16U, static_cast<std::uint8_t>(entry >> 8U));
-            const Row* const row = mapped != nullptr ? row_named(mapped->name, "Parameter ") : nullptr;
-            if (row != nullptr) {
-                to_.set(Device::governor, governor::tpdo_assignment_of(tpdo, word), row->number);
+            words.push_back(mapped != nullptr ? row_of_entry(to_.catalogue(), mapped->name, "Parameter ")
+                                              : nullptr);
+        }
+        if (rest_.sends(tpdo, words) || (rest_.plant() != nullptr && !is_sent(tpdo))) {
+            return;
+        }
+        for (std::uint8_t word = 1; word <= facts::words_per_pdo; ++word) {
+            if (word > count || words[word - 1U] != nullptr) {
+                rest_.say(Device::governor, governor::tpdo_assignment_of(tpdo, word),
+                          word <= count ? words[word - 1U]->number : 0);
             } else {
-                miss(fmt::format("word {} of {}: {}{} is the name of no parameter that can be sent", word,
-                                 base::pdo_name(true, static_cast<unsigned>(tpdo)),
-                                 base::object_text(entry >> 16U, entry >> 8U & 0xFFU),
-                                 mapped != nullptr ? " " + base::printable(mapped->name) : ""));
+                miss_word(tpdo, word, number(mapping, word));
             }
         }
     }
 
-    // "Speed", "Speed 2" where two objects have the same parameter, "Sensor 902" for a row without a name.
-    const Row* row_named(std::string_view name, std::string_view number_prefix) const {
-        if (name.starts_with(number_prefix)) {
-            return row_numbered(name.substr(number_prefix.size()));
-        }
-        if (const Row* const row = row_of_ascii(name)) {
-            return row;
-        }
-        const std::size_t blank = name.find_last_of(' ');
-        return blank != std::string_view::npos ? row_of_ascii(name.substr(0, blank)) : nullptr;
+    void miss_word(int tpdo, std::uint8_t word, std::uint32_t entry) {
+        const Variable* const mapped = find(entry >> 16U, static_cast<std::uint8_t>(entry >> 8U));
+        miss(fmt::format("word {} of {}: {}{} is the name of no parameter that can be sent", word,
+                         base::pdo_name(true, static_cast<unsigned>(tpdo)),
+                         base::object_text(entry >> 16U, entry >> 8U & 0xFFU),
+                         mapped != nullptr ? " " + base::printable(mapped->name) : ""));
     }
 
-    const Row* row_numbered(std::string_view digits) const {
-        std::uint16_t found = 0;
-        const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), found);
-        return error == std::errc() && end != digits.data() ? to_.catalogue().find(Device::governor, found)
-                                                            : nullptr;
-    }
-
-    const Row* row_of_ascii(std::string_view name) const {
-        const std::vector<const Row*>& rows = to_.catalogue().rows(Device::governor);
-        const auto found = std::find_if(rows.begin(), rows.end(), [&](const Row* row) {
-            return !row->name.empty() && dictionary::to_ascii(row->name) == name;
-        });
-        return found != rows.end() ? *found : nullptr;
-    }
-
+    // Of an RPDO that is not used the data sheet tells no time.
     void read_rpdos() {
+        const PlantSource* const plant = rest_.plant();
         for (int rpdo = 1; rpdo <= config::rpdo_count; ++rpdo) {
             const auto communication = static_cast<unsigned>(object::rpdo_communication + rpdo - 1);
-            to_.set(Device::governor, governor::rpdo_monitoring_of(rpdo),
-                    asked_ms(number(communication, object::event_timer_sub)));
+            const std::uint32_t timer = number(communication, object::event_timer_sub);
+            if (plant == nullptr || is_valid(communication)) {
+                rest_.say_time(Device::governor, governor::rpdo_monitoring_of(rpdo), timer, asked_ms(timer),
+                               plant != nullptr ? &plant->configuration.rpdo(rpdo).time : nullptr);
+            }
         }
     }
 
     void read_inputs() {
-        if (number(object::binary_inputs, 0) != 0) {
-            miss("which switch functions come in which bits of RPDO1 (8nn, 48nn)");
-        }
+        read_switches();
         const std::uint32_t channels = number(object::sensors, 0);
-        for (std::uint8_t channel = 1; channel <= std::min<std::uint32_t>(channels, facts::sensor_channels);
-             ++channel) {
-            read_channel(channel);
+        for (std::uint8_t channel = 1; channel <= facts::sensor_channels; ++channel) {
+            read_channel(channel, channel <= channels);
         }
-        if (channels != 0) {
+        if (channels != 0 && rest_.plant() == nullptr) {
             miss("further sensors on a channel that several share (9nn)");
         }
     }
 
-    void read_channel(std::uint8_t channel) {
-        const Variable* const entry = find(object::sensors, channel);
-        const Row* const row = entry != nullptr ? row_named(entry->name, "Sensor ") : nullptr;
-        if (row != nullptr && facts::is_sensor(row->number)) {
-            to_.set(Device::governor, row->number, channel);
-            to_.set(Device::governor, governor::type_of(row->number), governor::canopen_type);
-        } else if (entry != nullptr && !entry->name.starts_with("Unused")) {
+    void read_switches() {
+        const PlantSource* const plant = rest_.plant();
+        const bool has_switches = find(object::binary_inputs, object::switches_sub) != nullptr;
+        if (!has_switches) {
+            rest_.clear_switches();
+        }
+        if (plant == nullptr ? number(object::binary_inputs, 0) != 0
+                             : has_switches && plant->configuration.switches.empty()) {
+            miss("which switch functions come in which bits of RPDO1 (8nn, 48nn)");
+        }
+    }
+
+    void read_channel(std::uint8_t channel, bool exists) {
+        const Variable* const entry = exists ? find(object::sensors, channel) : nullptr;
+        const Row* const row =
+            entry != nullptr ? row_of_entry(to_.catalogue(), entry->name, "Sensor ") : nullptr;
+        const bool is_sensor = row != nullptr && facts::is_sensor(row->number);
+        if (!is_sensor && entry != nullptr && !entry->name.starts_with("Unused")) {
             miss(fmt::format("the sensor of channel {}: {} is the name of none", channel,
                              base::printable(entry->name)));
+            return;
+        }
+        if (rest_.clear_channel(channel, is_sensor ? row : nullptr) && is_sensor) {
+            rest_.say(Device::governor, row->number, channel);
+            rest_.say(Device::governor, governor::type_of(row->number), governor::canopen_type);
         }
     }
 
     const DataSheetSource& source_;
     ImageDraft to_;
+    RestOfPlant rest_;
     std::optional<std::uint8_t> node_id_;
     std::vector<std::string> undetermined_;
 };

@@ -53,6 +53,24 @@ void note_lost(std::string_view what, std::vector<std::string> numbers, ImageDra
     }
 }
 
+void draft_model(const parameter::CanonicalModel& model, ImageDraft& to) {
+    to.draft.title = model.title;
+    to.draft.identity = model.identity;
+    if (model.main_cycle_us != facts::usual_governor_main_cycle_us) {
+        to.draft.main_cycle_us = model.main_cycle_us;
+    }
+    draft_rows(model, to);
+    std::vector<std::string> values;
+    for (const parameter::CanonicalValue& value : model.values) {
+        if (!to.set(value.device, value.number, value.value)) {
+            values.push_back(fmt::format("{} {}", parameter::to_text(value.device), value.number));
+        }
+    }
+    note_lost("values of parameters that only a catalogue file knows", std::move(values), to);
+}
+
+}  // namespace
+
 void draft_rows(const parameter::CanonicalModel& model, ImageDraft& to) {
     const parameter::Catalogue shipped(catalogue::shipped_rows());
     std::vector<std::string> rows;
@@ -71,24 +89,6 @@ void draft_rows(const parameter::CanonicalModel& model, ImageDraft& to) {
     note_lost("rows of a catalogue file, which no declaration can say", std::move(rows), to);
     note_lost("names out of a catalogue file, which no declaration can say", std::move(names), to);
 }
-
-void draft_model(const parameter::CanonicalModel& model, ImageDraft& to) {
-    to.draft.title = model.title;
-    to.draft.identity = model.identity;
-    if (model.main_cycle_us != facts::usual_governor_main_cycle_us) {
-        to.draft.main_cycle_us = model.main_cycle_us;
-    }
-    draft_rows(model, to);
-    std::vector<std::string> values;
-    for (const parameter::CanonicalValue& value : model.values) {
-        if (!to.set(value.device, value.number, value.value)) {
-            values.push_back(fmt::format("{} {}", parameter::to_text(value.device), value.number));
-        }
-    }
-    note_lost("values of parameters that only a catalogue file knows", std::move(values), to);
-}
-
-}  // namespace
 
 ImageDraft::ImageDraft() : catalogue_(catalogue::shipped_rows()) {}
 

@@ -43,6 +43,9 @@ class ImageDraft {
     std::map<std::uint16_t, WrittenValue> gateway_;
 };
 
+// from_image.cpp: the declarations of a model. What no declaration can say is in `lost`.
+void draft_rows(const parameter::CanonicalModel& model, ImageDraft& to);
+
 // from_sections.cpp: what the sections a gateway needs tell about the parameters.
 void draft_sections(const image::Image& image, ImageDraft& to);
 

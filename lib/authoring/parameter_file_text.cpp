@@ -91,13 +91,36 @@ std::string table_text(Device device, std::span<const WrittenValue> values,
     return text;
 }
 
+std::string document_text(const parameter::DocumentInformation& document) {
+    std::string text;
+    if (document.created) {
+        text += fmt::format("created = {:04}-{:02}-{:02}\n", document.created->year, document.created->month,
+                            document.created->day);
+    }
+    text += document.author.empty() ? "" : fmt::format("author = {}\n", toml_string(document.author));
+    text += document.revision == 0 ? "" : fmt::format("revision = {}\n", document.revision);
+    return text.empty() ? "" : "\n[document]\n" + text;
+}
+
 std::string identity_text(const parameter::Identity& identity) {
     if (identity.software_version == 0 && identity.serial_date == 0 && identity.serial_number == 0) {
         return "";
     }
-    return fmt::format(
-        "\n[gateway]\nidentity = {{ software_version = {}, serial_date = {}, serial_number = {} }}\n",
-        identity.software_version, identity.serial_date, identity.serial_number);
+    return fmt::format("identity = {{ software_version = {}, serial_date = {}, serial_number = {} }}\n",
+                       identity.software_version, identity.serial_date, identity.serial_number);
+}
+
+std::string bit_timing_text(std::string_view bus, const std::optional<parameter::BitTiming>& timing) {
+    return timing ? fmt::format("bit_timing.{} = {{ clock_hz = {}, family = \"{}\" }}\n", bus,
+                                timing->clock_hz, timing->controller->name)
+                  : "";
+}
+
+// The table [gateway] itself, which stands before its parameters.
+std::string gateway_text(const Draft& draft) {
+    const std::string text = identity_text(draft.identity) + bit_timing_text("can1", draft.can1_bit_timing) +
+                             bit_timing_text("can2", draft.can2_bit_timing);
+    return text.empty() ? "" : "\n[gateway]\n" + text;
 }
 
 }  // namespace
@@ -109,6 +132,7 @@ std::string parameter_file_text(const Draft& draft, const parameter::Catalogue& 
     }
     text += fmt::format("format = {}\n", input::parameter_file_format);
     text += draft.title.empty() ? "" : fmt::format("title = {}\n", toml_string(draft.title));
+    text += document_text(draft.document);
     // [[governor.declare]] must have [governor] before it.
     text += draft.main_cycle_us || !draft.declarations.empty() ? "\n[governor]\n" : "";
     text += draft.main_cycle_us ? fmt::format("main_cycle_us = {}\n", *draft.main_cycle_us) : "";
@@ -116,8 +140,11 @@ std::string parameter_file_text(const Draft& draft, const parameter::Catalogue& 
     for (const Row* row : draft.declarations) {
         text += declaration_text(*row);
     }
-    text += identity_text(draft.identity);
+    text += gateway_text(draft);
     text += table_text(Device::gateway, draft.gateway, catalogue);
+    if (!draft.network_nodes.empty()) {
+        text += fmt::format("\n[network]\nnodes = [{}]\n", fmt::join(draft.network_nodes, ", "));
+    }
     return text;
 }
 

@@ -17,10 +17,14 @@ struct WrittenValue {
 };
 
 struct Draft {
-    std::string title;                                // "": no title
-    std::optional<std::uint32_t> main_cycle_us;       // of the governor; none: the usual one
-    std::vector<std::string> remarks;                 // lines of comment at the top, without '#'
-    parameter::Identity identity;                     // all 0: left out
+    std::string title;                           // "": no title
+    std::optional<std::uint32_t> main_cycle_us;  // of the governor; none: the usual one
+    std::vector<std::string> remarks;            // lines of comment at the top, without '#'
+    parameter::DocumentInformation document;     // what is empty, 0 or not stated: left out
+    parameter::Identity identity;                // all 0: left out
+    std::optional<parameter::BitTiming> can1_bit_timing;
+    std::optional<parameter::BitTiming> can2_bit_timing;
+    std::vector<std::uint8_t> network_nodes;
     std::vector<const parameter::Row*> declarations;  // of the governor, by number
     std::vector<WrittenValue> governor;               // ascending by number
     std::vector<WrittenValue> gateway;

@@ -272,6 +272,29 @@ class Import(Case):
         self.assertEqual(cgw("import", "eds", self.dir / "none.eds").returncode, 3)
 
 
+    def test_the_rest_comes_from_a_parameter_file(self):
+        out = self.dir / "new.toml"
+        result = cgw("import", "eds", self.dcf, "--rest-from", GENSET, "-o", out)
+        self.assertEqual((result.returncode, result.stderr), (0, b""))
+        self.assertEqual(cgw("diff", GENSET, out).returncode, 0)
+        other = self.dir / "other.toml"
+        other.write_text(pathlib.Path(GENSET).read_text().replace("CanOpenMyNodeID = 12", "CanOpenMyNodeID = 13"))
+        result = cgw("import", "eds", self.dcf, "--rest-from", other)
+        self.assertEqual(result.returncode, 0)
+        self.assertEqual(result.stderr.decode(), f"{self.dcf}: contradicts --rest-from: gateway 427 CanOpenMyNodeID: 12, not 13\n")
+        self.assertIn(b'"427 CanOpenMyNodeID" = 12\n', result.stdout)
+
+    def test_a_rest_that_is_not_valid_or_not_there(self):
+        bad = SAMPLES / "bad" / "crossed-node-numbers.toml"
+        result = cgw("import", "eds", self.dcf, "--rest-from", bad)
+        self.assertEqual((result.returncode, result.stdout), (1, b""))
+        self.assertEqual(cgw("import", "eds", self.dcf, "--rest-from", self.dir / "none.toml").returncode, 3)
+        self.assertEqual(cgw("import", "eds", "-", "--rest-from", "-").returncode, 2)
+        plant = self.dir / "plant.toml"
+        plant.write_bytes(pathlib.Path(GENSET).read_bytes())
+        self.assertEqual(cgw("import", "eds", self.dcf, "--rest-from", plant, "-o", plant, "--force").returncode, 2)
+
+
 class Verify(Case):
     def test_the_artefacts_of_a_plant_are_proved(self):
         dbc = self.plants / "genset" / "CANopenGateway.dbc"

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "driver/plant.hpp"
+#include "support/golden.hpp"
 #include "support/scratch_directory.hpp"
 
 namespace cgw::driver {
@@ -84,11 +85,110 @@ TEST_P(ImportDataSheet, says_that_an_eds_states_no_node_number_and_bit_rate) {
     EXPECT_FALSE(says(import_data_sheet(description("dcf"), "new.toml", {}), "(427)"));
 }
 
+TEST_P(ImportDataSheet, with_the_plant_it_comes_from_makes_the_same_configuration) {
+    for (const std::string emitter : {"eds", "dcf", "xdd"}) {
+        const ImportedDataSheet imported =
+            import_data_sheet(description(emitter), "new.toml", {.plant = &original});
+        EXPECT_TRUE(imported.file.valid());
+        EXPECT_TRUE(imported.differences.same());
+        EXPECT_TRUE(imported.contradictions.empty()) << imported.contradictions.front();
+        EXPECT_TRUE(imported.undetermined.empty()) << imported.undetermined.front();
+        EXPECT_EQ(parameter::canonical_text(imported.file.settings),
+                  parameter::canonical_text(original.settings));
+        const parameter::Settings& settings = imported.file.settings;
+        EXPECT_EQ(settings.document.created, original.settings.document.created);
+        EXPECT_EQ(settings.document.author, original.settings.document.author);
+        EXPECT_EQ(settings.document.revision, original.settings.document.revision);
+        EXPECT_EQ(settings.network_nodes.size(), original.settings.network_nodes.size());
+        EXPECT_EQ(settings.can1_bit_timing.has_value(), original.settings.can1_bit_timing.has_value());
+        EXPECT_EQ(settings.can2_bit_timing.has_value(), original.settings.can2_bit_timing.has_value());
+    }
+}
+
+// The data sheet counts, whatever the plant says beside it; only which switch is in which bit it never says.
+TEST_P(ImportDataSheet, with_any_other_plant_configures_the_gateway_of_the_data_sheet) {
+    for (const std::string sample : {"genset", "minimal", "manual-example"}) {
+        const CheckedFile other = check_file(CGW_SAMPLES "/" + sample + ".toml");
+        if (other.configuration.switches.empty() && !original.configuration.switches.empty()) {
+            continue;
+        }
+        const ImportedDataSheet imported =
+            import_data_sheet(description("dcf"), "new.toml", {.plant = &other});
+        for (const dictionary::Difference& each : imported.differences.all) {
+            ADD_FAILURE() << sample << ": " << subject_text(each) << " " << each.aspect_text << ": " << each.a
+                          << " -> " << each.b;
+        }
+        EXPECT_EQ(imported.contradictions.empty(), sample == GetParam()) << sample;
+    }
+}
+
 INSTANTIATE_TEST_SUITE_P(Samples, ImportDataSheet, testing::Values("genset", "minimal", "manual-example"),
                          [](const auto& test) {
                              std::string name = test.param;
                              std::replace(name.begin(), name.end(), '-', '_');
                              return name;
                          });
+
+namespace {
+
+// The data sheet of genset.toml, and genset.toml with one text in it replaced.
+class ImportWithPlant : public testing::Test {
+  protected:
+    test::ScratchDirectory directory;
+    const std::string text = test::read_text(CGW_SAMPLES "/genset.toml");
+
+    ImportedDataSheet import(const std::string& before, const std::string& after) {
+        const CheckedFile genset = check_file(CGW_SAMPLES "/genset.toml");
+        const auto plant = Plant::make(genset);
+        const base::Bytes bytes = emit::find_emitter("dcf")->emit(plant->view(), {});
+        const auto sheet =
+            read_device_description(directory.write("gateway.dcf", std::string(bytes.begin(), bytes.end())));
+        std::string changed = text;
+        const std::size_t at = changed.find(before);
+        EXPECT_NE(at, std::string::npos) << before;
+        changed.replace(at, before.size(), after);
+        const CheckedFile other = check_text("plant.toml", changed);
+        EXPECT_TRUE(other.valid()) << after;
+        return import_data_sheet(*sheet, "new.toml", {.plant = &other});
+    }
+};
+
+using Texts = std::vector<std::string>;
+
+}  // namespace
+
+TEST_F(ImportWithPlant, tells_what_contradicts_the_data_sheet_and_takes_the_data_sheet) {
+    const struct {
+        std::string before;
+        std::string after;
+        Texts contradictions;
+    } cases[] = {
+        {"[2000, 2031, 2300, 2918]", "[2000, 2031, 2300]", {}},
+        {"[2000, 2031, 2300, 2918]",
+         "[2000, 0, 2031, 2300]",
+         {"governor 16401 CanOpTPDO4Assign(1): 2031, not 0",
+          "governor 16402 CanOpTPDO4Assign(2): 2300, not 2031",
+          "governor 16403 CanOpTPDO4Assign(3): 2918, not 2300"}},
+        {"[125, 500, 1000]", "[140, 500, 1000]", {}},  // 8 main cycles as well
+        {"[125, 500, 1000]", "[125, 600, 1000]", {"governor 16461 CanOpTPDO4-16Cyc(1): 500 ms, not 600 ms"}},
+        {"title = \"Genset 2, starboard\"",
+         "title = \"Genset 3\"",
+         {"title: Genset 2, starboard, not Genset 3"}},
+        {"FunctIdleSpeed = 1", "FunctIdleSpeed = 5", {}},
+        {"\n910 = 6 ", "\n910 = 5 ", {"governor 910: 6, not 5"}},
+        {"AssignIn_CurrentLoad = 9", "AssignIn_CurrentLoad = 10", {"governor 917 AssignIn_CurrentLoad: 9, not 10"}},
+        {"CanOpenMyNodeID = 12", "CanOpenMyNodeID = 13", {"gateway 427 CanOpenMyNodeID: 12, not 13"}},
+        {"CanBaudrate = 250", "CanBaudrate = 250  # as on the label", {}},
+    };
+    for (const auto& each : cases) {
+        const ImportedDataSheet imported = import(each.before, each.after);
+        EXPECT_EQ(imported.contradictions, each.contradictions) << each.after;
+        EXPECT_TRUE(imported.differences.same()) << each.after;
+        EXPECT_TRUE(imported.file.valid()) << each.after;
+        for (const std::string& told : each.contradictions) {
+            EXPECT_NE(imported.text.find("# - " + told), std::string::npos) << told;
+        }
+    }
+}
 
 }  // namespace cgw::driver
