@@ -27,6 +27,8 @@ std::span<const Verb* const> all_verbs() {
         &diff_verb,
         &clone_verb,
         &verify_verb,
+        &pdo_verb,
+        &encode_verb,
         &hub_verb,
         &simulate_verb,
     };

@@ -28,6 +28,8 @@ extern const Verb eds_fix_verb;
 extern const Verb eds_diff_verb;
 extern const Verb convert_verb;
 extern const Verb verify_verb;
+extern const Verb pdo_verb;
+extern const Verb encode_verb;
 extern const Verb hub_verb;
 extern const Verb simulate_verb;
 

@@ -26,6 +26,8 @@ std::string_view language_of(Example example) {
         case Example::table_rows:
         case Example::firmware:
         case Example::database:
+        case Example::frame_arguments:
+        case Example::frame_log:
             return "text";
         case Example::data_sheet:
         case Example::data_sheet_lines:

@@ -24,6 +24,8 @@ enum class Example {
     data_sheet_lines,  // lines of one, on top of an EDS that keeps all rules; behind `; ` one that goes away
     device_description,  // parameters and objects of an XDD
     database,            // a CAN database
+    frame_arguments,     // what cgw encode or decode is asked for samples/genset.toml, one argument a line
+    frame_log,           // a log of candump -L, audited against samples/genset.toml
 };
 
 // The language of such an example, as Markdown names it behind a fence: "toml", "text".

@@ -5,6 +5,7 @@
 #include "diagnostic/rules/eds_check.hpp"
 #include "diagnostic/rules/files.hpp"
 #include "diagnostic/rules/firmware.hpp"
+#include "diagnostic/rules/frames.hpp"
 #include "diagnostic/rules/keys.hpp"
 #include "diagnostic/rules/notes.hpp"
 #include "diagnostic/rules/plant.hpp"
@@ -35,6 +36,7 @@ const Rule* const table[] = {
     CGW_EDS_CHECK_RULES(CGW_ADDRESS)
     CGW_XDD_RULES(CGW_ADDRESS)
     CGW_DBC_RULES(CGW_ADDRESS)
+    CGW_FRAMES_RULES(CGW_ADDRESS)
 };
 // clang-format on
 

@@ -149,23 +149,31 @@ std::optional<LoggedFrame> parse_candump_line(std::string_view line) {
     return logged;
 }
 
+ReadLine read_candump_line(std::string_view line) {
+    line = without_direction(base::trimmed(line, "\r \t"));
+    if (line.empty()) {
+        return {LineKind::blank};
+    }
+    if (std::optional<LoggedFrame> logged = parse_candump_line(line); logged) {
+        return {LineKind::frame, std::move(*logged)};
+    }
+    return {is_to_pass_over(line) ? LineKind::passed_over : LineKind::wrong};
+}
+
 base::Result<Log> read_candump(std::string_view text, const std::string& name) {
     Log log;
     for (std::size_t number = 1; !text.empty(); ++number) {
         const std::size_t end = text.find('\n');
-        const std::string_view line = without_direction(base::trimmed(text.substr(0, end), "\r \t"));
+        ReadLine line = read_candump_line(text.substr(0, end));
         text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
-        if (line.empty()) {
-            continue;
-        }
-        if (std::optional<LoggedFrame> logged = parse_candump_line(line); logged) {
-            log.frames.push_back(std::move(*logged));
-        } else if (is_to_pass_over(line)) {
-            ++log.passed_over;
-        } else {
+        if (line.kind == LineKind::wrong) {
             return base::failure(
                 fmt::format("{}:{}: this is no frame as candump -L writes it", name, number));
         }
+        if (line.kind == LineKind::frame) {
+            log.frames.push_back(std::move(line.logged));
+        }
+        log.passed_over += line.kind == LineKind::passed_over ? 1 : 0;
     }
     return log;
 }

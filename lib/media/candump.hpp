@@ -19,6 +19,22 @@ std::string candump_line(const LoggedFrame& logged);
 // Nothing when the line is not exactly of that form. A remote frame's length digit is optional.
 std::optional<LoggedFrame> parse_candump_line(std::string_view line);
 
+enum class LineKind : std::uint8_t {
+    frame,
+    passed_over,  // an error frame or a CAN FD frame
+    blank,
+    wrong,
+};
+
+struct ReadLine {
+    LineKind kind = LineKind::wrong;
+    LoggedFrame logged{};  // of a frame
+};
+
+// One line of candump -L; carriage returns and blanks at the ends, and the direction R or T that newer
+// recorders add, are fine.
+ReadLine read_candump_line(std::string_view line);
+
 // All lines of a log. Blank lines, carriage returns, and the direction R or T that newer recorders add are
 // fine; error frames and CAN FD frames are passed over. Any other line is a failure: "run.log:3: …", where
 // `name` is the file's.

@@ -15,8 +15,6 @@ constexpr std::uint32_t link_type_mask = 0xFFFF;  // the upper half of the field
 constexpr std::uint16_t major_version = 2;
 constexpr std::uint16_t minor_version = 4;
 constexpr std::uint32_t longest_record = 262'144;
-constexpr std::size_t file_header = 24;
-constexpr std::size_t record_header = 16;
 constexpr std::uint64_t microseconds = 1'000'000;
 
 // A record: identifier and flags, always big-endian, then length, FD flags, two reserved bytes, data.
@@ -34,15 +32,14 @@ constexpr std::uint32_t pcapng_magic = 0x0A0D'0D0A;  // the same in both byte or
 
 struct Kind {
     std::uint32_t magic;  // read as little-endian
-    bool big_endian;
-    std::uint32_t ticks;  // of a second
+    PcapKind kind;
 };
 
 constexpr std::array kinds = {
-    Kind{0xA1B2'C3D4, false, 1'000'000},
-    Kind{0xD4C3'B2A1, true, 1'000'000},
-    Kind{0xA1B2'3C4D, false, 1'000'000'000},
-    Kind{0x4D3C'B2A1, true, 1'000'000'000},
+    Kind{0xA1B2'C3D4, {false, 1'000'000}},
+    Kind{0xD4C3'B2A1, {true, 1'000'000}},
+    Kind{0xA1B2'3C4D, {false, 1'000'000'000}},
+    Kind{0x4D3C'B2A1, {true, 1'000'000'000}},
 };
 
 std::uint8_t byte(std::string_view bytes, std::size_t at) {
@@ -57,10 +54,10 @@ std::uint32_t number(std::string_view bytes, std::size_t at, bool big_endian) {
     return value;
 }
 
-const Kind* find_kind(std::string_view content) {
+const PcapKind* find_kind(std::string_view content) {
     for (const Kind& kind : kinds) {
         if (content.size() >= sizeof kind.magic && number(content, 0, false) == kind.magic) {
-            return &kind;
+            return &kind.kind;
         }
     }
     return nullptr;
@@ -70,49 +67,18 @@ bool is_pcapng(std::string_view content) {
     return content.size() >= sizeof pcapng_magic && number(content, 0, false) == pcapng_magic;
 }
 
-enum class RecordKind : std::uint8_t { classic, other, wrong };
-
-// `record` is what follows a record's header.
-RecordKind read_frame(std::string_view record, frame::Frame& frame) {
-    if (record.size() < data_offset) {
-        return RecordKind::wrong;
-    }
-    const std::uint32_t id = number(record, 0, true);
-    const std::size_t length = byte(record, length_at);
-    if ((id & error_flag) != 0 || (byte(record, fd_flags_at) & fd_flag) != 0 || length > frame.data.size()) {
-        return RecordKind::other;
-    }
-    frame.extended = (id & extended_flag) != 0;
-    frame.remote = (id & remote_flag) != 0;
-    frame.id = id & extended_mask;
-    frame.length = static_cast<std::uint8_t>(length);
-    if (!frame.extended && frame.id > standard_mask) {
-        return RecordKind::wrong;
-    }
-    if (frame.remote) {
-        return RecordKind::classic;
-    }
-    if (record.size() < data_offset + length) {
-        return RecordKind::wrong;
-    }
-    std::transform(record.begin() + data_offset,
-                   record.begin() + static_cast<std::ptrdiff_t>(data_offset + length), frame.data.begin(),
-                   [](char c) { return static_cast<std::uint8_t>(c); });
-    return RecordKind::classic;
-}
-
 // What is wrong with the file's header; empty: nothing.
-std::string header_fault(std::string_view content, const Kind* kind) {
+std::string header_fault(std::string_view content, const PcapKind* kind) {
     if (is_pcapng(content)) {
         return "this is a pcapng file; save it as pcap (editcap -F pcap)";
     }
     if (kind == nullptr) {
         return "this is no pcap file";
     }
-    if (content.size() < file_header) {
+    if (content.size() < pcap_header_size) {
         return "the file is cut off in its header";
     }
-    const std::uint32_t link_type = number(content, file_header - 4, kind->big_endian) & link_type_mask;
+    const std::uint32_t link_type = number(content, pcap_header_size - 4, kind->big_endian) & link_type_mask;
     if (link_type != link_type_can) {
         return fmt::format("link type {} is not CAN; CAN is {}", link_type, link_type_can);
     }
@@ -120,34 +86,32 @@ std::string header_fault(std::string_view content, const Kind* kind) {
 }
 
 // Takes the record at the front of `content`. What is wrong with it; empty: nothing.
-std::string_view take_record(std::string_view& content, const Kind& kind, Log& log) {
-    if (content.size() < record_header) {
+std::string_view take_record(std::string_view& content, const PcapKind& kind, Log& log) {
+    if (content.size() < pcap_record_header_size) {
         return "the file is cut off";
     }
-    const std::uint32_t seconds = number(content, 0, kind.big_endian);
-    const std::uint32_t ticks = number(content, 4, kind.big_endian);
-    const std::uint32_t size = number(content, 8, kind.big_endian);
-    content.remove_prefix(record_header);
-    if (size > longest_record) {
+    const PcapRecordHeader header = read_pcap_record_header(content, kind);
+    content.remove_prefix(pcap_record_header_size);
+    if (!header.size_possible) {
         return "its length is not possible";
     }
-    if (size > content.size()) {
+    if (header.size > content.size()) {
         return "the file is cut off";
     }
-    if (ticks >= kind.ticks) {
+    if (!header.time_possible) {
         return "its time is not possible";
     }
     LoggedFrame logged;
-    const RecordKind record = read_frame(content.substr(0, size), logged.frame);
-    content.remove_prefix(size);
-    if (record == RecordKind::wrong) {
+    const PcapRecord record = read_pcap_frame(content.substr(0, header.size), logged.frame);
+    content.remove_prefix(header.size);
+    if (record == PcapRecord::wrong) {
         return "it holds no CAN frame";
     }
-    if (record == RecordKind::other) {
+    if (record == PcapRecord::passed_over) {
         ++log.passed_over;
         return {};
     }
-    logged.time_us = seconds * microseconds + ticks / (kind.ticks / microseconds);
+    logged.time_us = header.time_us;
     logged.interface_name = pcap_interface;
     log.frames.push_back(std::move(logged));
     return {};
@@ -187,12 +151,58 @@ bool is_pcap(std::string_view content) {
     return find_kind(content) != nullptr || is_pcapng(content);
 }
 
-base::Result<Log> read_pcap(std::string_view content, const std::string& name) {
-    const Kind* const kind = find_kind(content);
-    if (const std::string fault = header_fault(content, kind); !fault.empty()) {
-        return base::failure(fmt::format("{}: {}", name, fault));
+base::Result<PcapKind> read_pcap_header(std::string_view content) {
+    const PcapKind* const kind = find_kind(content);
+    if (std::string fault = header_fault(content, kind); !fault.empty()) {
+        return base::failure(std::move(fault));
     }
-    content.remove_prefix(file_header);
+    return *kind;
+}
+
+PcapRecordHeader read_pcap_record_header(std::string_view bytes, const PcapKind& kind) {
+    const std::uint32_t seconds = number(bytes, 0, kind.big_endian);
+    const std::uint32_t ticks = number(bytes, 4, kind.big_endian);
+    const std::uint32_t size = number(bytes, 8, kind.big_endian);
+    return {.time_us = seconds * microseconds + ticks / (kind.ticks / microseconds),
+            .size = size,
+            .size_possible = size <= longest_record,
+            .time_possible = ticks < kind.ticks};
+}
+
+PcapRecord read_pcap_frame(std::string_view record, frame::Frame& frame) {
+    if (record.size() < data_offset) {
+        return PcapRecord::wrong;
+    }
+    const std::uint32_t id = number(record, 0, true);
+    const std::size_t length = byte(record, length_at);
+    if ((id & error_flag) != 0 || (byte(record, fd_flags_at) & fd_flag) != 0 || length > frame.data.size()) {
+        return PcapRecord::passed_over;
+    }
+    frame.extended = (id & extended_flag) != 0;
+    frame.remote = (id & remote_flag) != 0;
+    frame.id = id & extended_mask;
+    frame.length = static_cast<std::uint8_t>(length);
+    if (!frame.extended && frame.id > standard_mask) {
+        return PcapRecord::wrong;
+    }
+    if (frame.remote) {
+        return PcapRecord::frame;
+    }
+    if (record.size() < data_offset + length) {
+        return PcapRecord::wrong;
+    }
+    std::transform(record.begin() + data_offset,
+                   record.begin() + static_cast<std::ptrdiff_t>(data_offset + length), frame.data.begin(),
+                   [](char c) { return static_cast<std::uint8_t>(c); });
+    return PcapRecord::frame;
+}
+
+base::Result<Log> read_pcap(std::string_view content, const std::string& name) {
+    const base::Result<PcapKind> kind = read_pcap_header(content);
+    if (!kind) {
+        return base::failure(fmt::format("{}: {}", name, kind.error().message));
+    }
+    content.remove_prefix(pcap_header_size);
     Log log;
     for (std::size_t count = 1; !content.empty(); ++count) {
         if (const std::string_view fault = take_record(content, *kind, log); !fault.empty()) {

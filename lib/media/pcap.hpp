@@ -24,6 +24,34 @@ bool is_pcap(std::string_view content);
 // file that is cut off and one that contradicts itself are failures that begin with `name`.
 base::Result<Log> read_pcap(std::string_view content, const std::string& name);
 
+// The parts of a file that read_pcap() reads, for one that is read piece by piece.
+struct PcapKind {
+    bool big_endian = false;
+    std::uint32_t ticks = 1'000'000;  // of a second
+};
+inline constexpr std::size_t pcap_header_size = 24;
+inline constexpr std::size_t pcap_record_header_size = 16;
+
+// `content` begins with the file's header. The failure says what is wrong, without a name.
+base::Result<PcapKind> read_pcap_header(std::string_view content);
+
+struct PcapRecordHeader {
+    std::uint64_t time_us = 0;
+    std::uint32_t size = 0;     // bytes that follow the header
+    bool size_possible = true;  // false: there is no telling where the next record begins
+    bool time_possible = true;
+};
+// `bytes` holds pcap_record_header_size of them.
+PcapRecordHeader read_pcap_record_header(std::string_view bytes, const PcapKind& kind);
+
+enum class PcapRecord : std::uint8_t {
+    frame,
+    passed_over,  // an error frame or a CAN FD frame
+    wrong,        // no CAN frame
+};
+// `record` is what follows a record's header.
+PcapRecord read_pcap_frame(std::string_view record, frame::Frame& frame);
+
 // The parts of a file that write_pcap() makes, for one that grows: first the header, then records. Seconds
 // beyond the format's 32 bits begin again.
 void append_pcap_header(base::Bytes& bytes);

@@ -23,13 +23,12 @@ std::string with_unit(std::string text, const Signal& signal) {
 // such a text.
 std::optional<int> decimals(const Signal& signal) {
     constexpr int most = 12;
-    int count = 0;
-    for (double step = 1; step > std::abs(signal.factor) / 2; step /= 10) {
-        if (++count > most) {
-            return std::nullopt;
+    for (int count = 0; count <= most; ++count) {
+        if (std::pow(10.0, -count) <= std::abs(signal.factor) / 2) {
+            return count;
         }
     }
-    return count;
+    return std::nullopt;
 }
 
 const NamedValue* find_value(const Signal& signal, std::int32_t raw) {
@@ -108,6 +107,10 @@ std::string value_text(const Signal& signal, std::int32_t raw) {
         return named->text;
     }
     return signal.is_bit() ? fmt::format("{}", raw) : with_unit(physical_text(signal, raw), signal);
+}
+
+std::string quantity_text(const Signal& signal, double physical) {
+    return with_unit(base::to_text(physical), signal);
 }
 
 std::string range_text(const Signal& signal) {

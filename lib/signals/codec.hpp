@@ -41,7 +41,10 @@ std::string physical_text(const Signal& signal, std::int32_t raw);
 // For people: "1500.02 1/min"; "on" and "off"; a bit without names "1"; a number without scaling "8000 raw".
 std::string value_text(const Signal& signal, std::int32_t raw);
 
-// "0..4000 1/min", "0..65535 raw", "0 or 1", "off or on"
+// A physical value as it is, with the unit; "raw" behind it without scaling.
+std::string quantity_text(const Signal& signal, double physical);
+
+// "0..4000 1/min", "0..65535 raw", "0 or 1", "on or off"
 std::string range_text(const Signal& signal);
 
 // "0..65535 is 0..4000 1/min"; "not known" without scaling; "" for a bit.

@@ -26,7 +26,7 @@ TEST(Rules, have_unique_codes_and_names_in_ascending_order) {
 }
 
 TEST(Rules, are_written_in_one_style) {
-    const std::regex code("E(0[0-9]|10)[0-9]{2}");
+    const std::regex code("E(0[0-9]|1[0-2])[0-9]{2}");
     const std::regex name("[a-z0-9]+(-[a-z0-9]+)+");
     for (const Rule* rule : all_rules()) {
         EXPECT_TRUE(std::regex_match(std::string(rule->code), code)) << rule->code;

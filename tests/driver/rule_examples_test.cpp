@@ -16,6 +16,7 @@
 #include "eds_check/checks.hpp"
 #include "emit/concerned.hpp"
 #include "firmware_file/embed.hpp"
+#include "signals/encode.hpp"
 #include "support/scratch_directory.hpp"
 #include "support/valid_data_sheet.hpp"
 #include "xdd/reading_result.hpp"
@@ -116,6 +117,18 @@ diagnostic::Findings findings_in_data_sheet(const std::string& text) {
     return findings;
 }
 
+// What giving these values to a frame of the sample finds.
+diagnostic::Findings findings_of_arguments(std::string_view example) {
+    const std::vector<std::string> arguments = test::sections_of(example).front().lines;
+    const CheckedFile plant = check_file(CGW_SAMPLES "/genset.toml");
+    const auto frames = signals::frames_of(plant.settings, *plant.catalogue, plant.configuration);
+    diagnostic::Findings findings;
+    if (const signals::Frame* const frame = signals::demand_frame(frames, arguments.front(), findings)) {
+        signals::encode(*frame, std::span(arguments).subspan(1), findings);
+    }
+    return findings;
+}
+
 // What reading this CAN database finds.
 diagnostic::Findings findings_in_database(std::string_view text) {
     diagnostic::Findings findings;
@@ -162,6 +175,10 @@ diagnostic::Findings findings_of(Example kind, std::string_view example) {
             return findings_in_data_sheet(std::string(example));
         case Example::database:
             return findings_in_database(example);
+        case Example::frame_arguments:
+            return findings_of_arguments(example);
+        case Example::frame_log:
+            break;
         case Example::data_sheet_lines:
             return findings_in_checked_sheet(test::data_sheet_with(example));
         case Example::device_description:

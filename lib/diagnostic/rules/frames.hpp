@@ -1,0 +1,19 @@
+// E12: frames and their values, typed in and recorded. Every name once; the rows stand in frames.cpp.
+#pragma once
+
+#include "diagnostic/rule.hpp"
+
+// clang-format off
+#define CGW_FRAMES_RULES(RULE) \
+    RULE(frame_unknown) \
+    RULE(signal_unknown) \
+    RULE(signal_value) \
+    RULE(signal_range) \
+    RULE(signal_twice)
+// clang-format on
+
+namespace cgw::diagnostic::rules {
+
+CGW_FRAMES_RULES(CGW_DECLARE_RULE)
+
+}  // namespace cgw::diagnostic::rules
