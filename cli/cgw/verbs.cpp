@@ -3,6 +3,7 @@
 namespace cgw::cli {
 
 std::span<const Verb* const> all_verbs() {
+    // clang-format off
     static constexpr const Verb* verbs[] = {
         &check_verb,
         &build_verb,
@@ -32,6 +33,7 @@ std::span<const Verb* const> all_verbs() {
         &hub_verb,
         &simulate_verb,
     };
+    // clang-format on
     return verbs;
 }
 

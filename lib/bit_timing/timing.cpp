@@ -115,7 +115,7 @@ std::vector<std::string> violations(const Timing& timing) {
                                     most_quanta));
     }
     if (controller.triple_needs_prescaler && registers.sampling_mode == 1 && registers.prescaler == 0) {
-        found.push_back("three samples a bit need a prescaler register above 0");
+        found.emplace_back("three samples a bit need a prescaler register above 0");
     }
     return found;
 }
