@@ -107,8 +107,10 @@ void CheckReport::add(diagnostic::FileReport file, bool unreadable,
                       std::map<std::string, std::string>&& sources) {
     const int exit_code = unreadable ? exit_environment : has_error(file) ? exit_findings : exit_fine;
     exit_code_ = worse(exit_code_, exit_code);
+    if (!file.findings.empty()) {
+        input_.sources.merge(std::move(sources));
+    }
     input_.files.push_back(std::move(file));
-    input_.sources.merge(std::move(sources));
 }
 
 int CheckReport::print() {

@@ -34,6 +34,10 @@ bool is_catalogue(const toml::Node& root);
 bool read_catalogue(std::string_view text, const std::string& path, parameter::Catalogue& catalogue,
                     diagnostic::Findings& findings);
 
+// The same for a text that is parsed already.
+bool read_catalogue(const toml::Node& root, const std::string& path, parameter::Catalogue& catalogue,
+                    diagnostic::Findings& findings);
+
 // One [[governor.declare]] table: the cells number, name, kind, unit, width, signed, internal, external and
 // bit of a catalogue's row, with kind "measurement", "switch" (811..849, 4811..4849) or "sensor" (900..929,
 // 4900..4929). `name` and `kind` may be left out where the number is known already. Returns nullptr after a

@@ -244,24 +244,26 @@ bool is_catalogue(const Node& root) {
 
 bool read_catalogue(std::string_view text, const std::string& path, Catalogue& catalogue,
                     diagnostic::Findings& findings) {
+    const std::optional<Node> root = toml::parse(text, path, findings);
+    return root && read_catalogue(*root, path, catalogue, findings);
+}
+
+bool read_catalogue(const Node& root, const std::string& path, Catalogue& catalogue,
+                    diagnostic::Findings& findings) {
     const std::size_t findings_before = findings.all().size();
     const Reporter report(path, findings);
-    const std::optional<Node> root = toml::parse(text, path, findings);
-    if (!root) {
-        return false;
-    }
     constexpr std::string_view known[] = {"device", "profile", "program", "row"};
-    for (const toml::Entry& entry : root->entries) {
+    for (const toml::Entry& entry : root.entries) {
         if (std::find(std::begin(known), std::end(known), entry.key) == std::end(known)) {
             report_unknown(entry, known, report);
         }
     }
-    const std::optional<Device> device = read_device(*root, report);
+    const std::optional<Device> device = read_device(root, report);
     if (device) {
-        check_profile(*root, *device, report);
+        check_profile(root, *device, report);
     }
-    const Program program = read_program(*root, report);
-    const toml::Entry* rows = root->find("row");
+    const Program program = read_program(root, report);
+    const toml::Entry* rows = root.find("row");
     if (rows != nullptr && rows->value.kind != toml::Kind::array) {
         report_type(*rows, toml::Kind::array, report);
     } else if (rows != nullptr && device) {

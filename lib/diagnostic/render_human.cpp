@@ -1,6 +1,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <functional>
 
 #include "base/utf8.hpp"
 #include "diagnostic/renderers.hpp"
@@ -94,24 +96,50 @@ void append_finding(std::string& text, const Diagnostic& finding, SourceLines& l
     text += '\n';
 }
 
-std::string summary(const FileReport& file) {
-    std::size_t counts[3] = {};
+// By level: error, warning, note.
+using Counts = std::array<std::size_t, 3>;
+
+Counts counts_of(const FileReport& file) {
+    Counts counts{};
     for (const Diagnostic& finding : file.findings) {
         ++counts[static_cast<std::size_t>(finding.level())];
     }
+    return counts;
+}
+
+std::string counts_text(const Counts& counts, std::string_view separator) {
+    std::string text;
+    for (const Level level : {Level::error, Level::warning, Level::note}) {
+        if (const std::size_t count = counts[static_cast<std::size_t>(level)]; count > 0) {
+            text += fmt::format("{}{}", separator, plural(count, to_text(level)));
+            separator = ", ";
+        }
+    }
+    return text;
+}
+
+std::string summary(const FileReport& file) {
+    const Counts counts = counts_of(file);
     const Location whole{file.path, {}};
     const std::string_view verdict = file.is_catalogue
                                          ? (counts[0] > 0 ? "no valid catalogue" : "valid catalogue")
                                      : counts[0] > 0 ? "not valid"
                                                      : "valid";
-    std::string text = fmt::format("{}: {}", to_text(whole), verdict);
-    std::string_view separator = ", ";
-    for (const Level level : {Level::error, Level::warning, Level::note}) {
-        if (const std::size_t count = counts[static_cast<std::size_t>(level)]; count > 0) {
-            text += fmt::format("{}{}", separator, plural(count, to_text(level)));
-        }
+    return fmt::format("{}: {}{}\n", to_text(whole), verdict,
+                       file.findings.empty() ? ", no findings" : counts_text(counts, ", "));
+}
+
+// One line over all files: "120 files: 118 valid, 2 not valid; 3 errors, 14 warnings".
+std::string total(const std::vector<FileReport>& files) {
+    Counts all{};
+    std::size_t refused = 0;
+    for (const FileReport& file : files) {
+        const Counts counts = counts_of(file);
+        refused += counts[0] > 0 ? 1U : 0U;
+        std::transform(all.begin(), all.end(), counts.begin(), all.begin(), std::plus<>());
     }
-    return text + (file.findings.empty() ? ", no findings\n" : "\n");
+    return fmt::format("{} files: {} valid{}{}\n", files.size(), files.size() - refused,
+                       refused > 0 ? fmt::format(", {} not valid", refused) : "", counts_text(all, "; "));
 }
 
 void append_not_verified(std::string& text, const FileReport& file) {
@@ -138,6 +166,9 @@ std::string render_human(const RenderInput& input) {
         } else if (!text.empty()) {
             text.pop_back();  // the blank line
         }
+    }
+    if (input.verdicts && input.files.size() > 1) {
+        text += total(input.files);
     }
     return text;
 }

@@ -22,20 +22,48 @@ CheckedFile empty_file(const std::string& path) {
     return file;
 }
 
-CheckedFile check_catalogue(const std::string& path, std::string text) {
+// Catalogues beside the parameter file.
+input::CatalogueLoader loader_of(CheckedFile& file) {
+    return [&file](const std::string& name) {
+        const std::string path = base::beside(file.path, name);
+        file.dependencies.push_back(path);
+        base::Result<std::string> content = base::read_file(path, toml::maximum_file_size);
+        file.unreadable = file.unreadable || (!content && !content.error().too_large);
+        return content;
+    };
+}
+
+void check_parameters(CheckedFile& file, const toml::Node& document) {
+    input::ReadResult read =
+        input::read_parameter_file(document, file.path, *file.catalogue, loader_of(file), file.findings);
+    file.complete = read.usable && !file.findings.has_errors();
+    file.sources = std::move(read.file.sources);
+    file.settings = std::move(read.file.settings);
+    if (!read.usable) {
+        return;
+    }
+    file.configuration = config::resolve(file.settings, *file.catalogue);
+    const check::Context context{file.settings, *file.catalogue, file.configuration, file.findings};
+    check::check(context);
+    if (file.valid()) {
+        file.not_verified = check::not_verified(context);
+    }
+}
+
+// What is no TOML counts as a parameter file.
+CheckedFile check_text(const std::string& path, std::string text, bool may_be_catalogue) {
     CheckedFile file = empty_file(path);
-    file.is_catalogue = true;
-    catalogue::read_catalogue(text, path, *file.catalogue, file.findings);
+    file.settings.path = path;
+    const std::optional<toml::Node> root = toml::parse(text, path, file.findings);
+    file.is_catalogue = may_be_catalogue && root && catalogue::is_catalogue(*root);
+    if (file.is_catalogue) {
+        catalogue::read_catalogue(*root, path, *file.catalogue, file.findings);
+    } else if (root) {
+        check_parameters(file, *root);
+    }
     file.sources[path] = std::move(text);
     file.findings.sort();
     return file;
-}
-
-// What is no TOML is read as a parameter file, and refused as one.
-bool is_catalogue(const std::string& path, const std::string& text) {
-    diagnostic::Findings unused;
-    const std::optional<toml::Node> root = toml::parse(text, path, unused);
-    return root && catalogue::is_catalogue(*root);
 }
 
 CheckedFile check(const std::string& path, bool may_be_catalogue) {
@@ -45,8 +73,7 @@ CheckedFile check(const std::string& path, bool may_be_catalogue) {
         file.unreadable = report_unreadable(path, text.error(), file.findings);
         return file;
     }
-    return may_be_catalogue && is_catalogue(path, *text) ? check_catalogue(path, std::move(*text))
-                                                         : check_text(path, std::move(*text));
+    return check_text(path, std::move(*text), may_be_catalogue);
 }
 
 }  // namespace
@@ -60,29 +87,7 @@ CheckedFile check_file_or_catalogue(const std::string& path) {
 }
 
 CheckedFile check_text(const std::string& path, std::string text) {
-    CheckedFile file = empty_file(path);
-    const auto load = [&](const std::string& name) {
-        const std::string catalogue_path = base::beside(path, name);
-        file.dependencies.push_back(catalogue_path);
-        base::Result<std::string> content = base::read_file(catalogue_path, toml::maximum_file_size);
-        file.unreadable = file.unreadable || (!content && !content.error().too_large);
-        return content;
-    };
-    input::ReadResult read = input::read_parameter_file(text, path, *file.catalogue, load, file.findings);
-    file.complete = read.usable && !file.findings.has_errors();
-    file.sources = std::move(read.file.sources);
-    file.sources[path] = std::move(text);
-    file.settings = std::move(read.file.settings);
-    if (read.usable) {
-        file.configuration = config::resolve(file.settings, *file.catalogue);
-        const check::Context context{file.settings, *file.catalogue, file.configuration, file.findings};
-        check::check(context);
-        if (file.valid()) {
-            file.not_verified = check::not_verified(context);
-        }
-    }
-    file.findings.sort();
-    return file;
+    return check_text(path, std::move(text), false);
 }
 
 }  // namespace cgw::driver

@@ -51,18 +51,26 @@ bool check_format(Context& context, const toml::Node& document) {
 ReadResult read_parameter_file(std::string_view text, const std::string& path,
                                parameter::Catalogue& catalogue, const CatalogueLoader& load,
                                diagnostic::Findings& findings) {
-    ReadResult result;
-    result.file.settings.path = path;
     const std::optional<toml::Node> document = toml::parse(text, path, findings);
     if (!document) {
-        return result;
+        ReadResult nothing;
+        nothing.file.settings.path = path;
+        return nothing;
     }
+    return read_parameter_file(*document, path, catalogue, load, findings);
+}
+
+ReadResult read_parameter_file(const toml::Node& document, const std::string& path,
+                               parameter::Catalogue& catalogue, const CatalogueLoader& load,
+                               diagnostic::Findings& findings) {
+    ReadResult result;
+    result.file.settings.path = path;
     Context context{path, catalogue, findings, result.file};
-    if (!check_format(context, *document)) {
+    if (!check_format(context, document)) {
         return result;
     }
     result.usable = true;
-    read_sections(context, *document);
+    read_sections(context, document);
     read_catalogues(context, load);
     read_declarations(context);
     result.file.settings.declarations = catalogue.added();

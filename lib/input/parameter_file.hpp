@@ -11,6 +11,7 @@
 #include "diagnostic/diagnostic.hpp"
 #include "parameter/catalogue.hpp"
 #include "parameter/settings.hpp"
+#include "toml/document.hpp"
 
 namespace cgw::input {
 
@@ -36,6 +37,11 @@ struct ReadResult {
 
 // `catalogue` holds the shipped rows; the rows of the file's catalogues and declarations are added to it.
 ReadResult read_parameter_file(std::string_view text, const std::string& path,
+                               parameter::Catalogue& catalogue, const CatalogueLoader& load,
+                               diagnostic::Findings& findings);
+
+// The same for a text that is parsed already.
+ReadResult read_parameter_file(const toml::Node& document, const std::string& path,
                                parameter::Catalogue& catalogue, const CatalogueLoader& load,
                                diagnostic::Findings& findings);
 

@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <stdexcept>
 
-#include "driver/check_file.hpp"
+#include "driver/check_files.hpp"
 #include "driver/outputs.hpp"
 #include "driver/plant.hpp"
 
@@ -57,8 +57,23 @@ void build(benchmark::State& state) {
     std::filesystem::remove_all(directory);
 }
 
+// As `cgw check 'plants/**/*.toml' -j N`: items are files.
+void check_many(benchmark::State& state) {
+    const std::vector<std::string> paths(static_cast<std::size_t>(state.range(0)),
+                                         std::string(CGW_SAMPLES) + "/genset.toml");
+    for (auto _ : state) {
+        driver::check_files(paths, static_cast<unsigned>(state.range(1)),
+                            [](driver::CheckedFile&& file) { benchmark::DoNotOptimize(file); });
+    }
+    state.SetItemsProcessed(state.iterations() * state.range(0));
+}
+
 }  // namespace
 
 BENCHMARK(check)->DenseRange(0, 2);
 BENCHMARK(artefacts)->DenseRange(0, 2);
 BENCHMARK(build)->DenseRange(0, 2);
+BENCHMARK(check_many)
+    ->ArgsProduct({{100, 1'000, 10'000}, {1, 2}})
+    ->UseRealTime()
+    ->Unit(benchmark::kMillisecond);

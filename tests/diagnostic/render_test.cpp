@@ -130,6 +130,17 @@ TEST(HumanFormat, says_what_is_not_verified_after_the_count) {
     EXPECT_EQ(render_concise(input), "");
 }
 
+TEST(HumanFormat, counts_over_all_files) {
+    RenderInput input = input_with(finding(at("f.toml", 1, 1, 2)), "a = 1\n");
+    input.files.push_back({"g.toml", {}});
+    EXPECT_TRUE(render_human(input).ends_with(
+        "g.toml: valid, no findings\n2 files: 1 valid, 1 not valid; 1 error\n"));
+    input.files = {{"f.toml", {}}, {"g.toml", {}}, {"h.toml", {}}};
+    EXPECT_TRUE(render_human(input).ends_with("\n3 files: 3 valid\n"));
+    input.verdicts = false;
+    EXPECT_EQ(render_human(input), "");
+}
+
 TEST(ConciseFormat, is_one_line_per_finding_that_editors_understand) {
     EXPECT_EQ(render_concise(input_with(finding(at("f.toml", 2, 7, 10)), "")),
               "f.toml:2:7: error: 427 CanOpenMyNodeID is 1, as is its partner [E0203 node-id-duplicate]\n");
