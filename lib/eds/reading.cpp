@@ -163,9 +163,18 @@ void Reading::report_too_large(std::uint32_t line, const TypeRow& type) {
            fmt::format("{}, which is too large for {}", quoted_value(line), type.name));
 }
 
+void Reading::report_formula(std::uint32_t line, const TypeRow& type) {
+    report(rules::eds_value, document.value_span(line),
+           fmt::format("{}, and no {} follows the node number", quoted_value(line), type.name));
+}
+
 std::optional<Value> Reading::numeric(std::uint32_t line, const TypeRow& type) {
     const Number number = parse_number(document.value(line));
     if (!judge(number, line)) {
+        return std::nullopt;
+    }
+    if (number.node_id_relative && type.kind != TypeKind::integer && type.kind != TypeKind::natural) {
+        report_formula(line, type);
         return std::nullopt;
     }
     const std::optional<Value> value = value_of(number, type);
@@ -178,7 +187,7 @@ std::optional<Value> Reading::numeric(std::uint32_t line, const TypeRow& type) {
 // As a decimal number, or the bits of it in hexadecimal.
 std::optional<Value> Reading::real(std::uint32_t line, const TypeRow& type) {
     const std::string_view text = document.value(line);
-    if (text.starts_with("0x") || text.starts_with("0X")) {
+    if (text.starts_with("0x") || text.starts_with("0X") || text.find('$') != std::string_view::npos) {
         return numeric(line, type);
     }
     const std::optional<double> number = base::parse_real(text);
@@ -192,6 +201,15 @@ std::optional<Value> Reading::real(std::uint32_t line, const TypeRow& type) {
         report_too_large(line, type);
     }
     return value;
+}
+
+std::optional<Value> Reading::string(std::uint32_t line, const TypeRow& type) {
+    const std::string_view text = document.value(line);
+    if (text.find('$') != std::string_view::npos && parse_number(text).node_id_relative) {
+        report_formula(line, type);
+        return std::nullopt;
+    }
+    return Value{0, false, std::string(text)};
 }
 
 // Pairs of hexadecimal digits; blanks between them are passed over.
@@ -216,12 +234,13 @@ std::optional<Value> Reading::value(std::uint32_t line, const TypeRow& type) {
     switch (type.kind) {
         case TypeKind::real:
             return real(line, type);
-        case TypeKind::octet_string:
         case TypeKind::domain:
+            return is_number_zero(document.value(line)) ? std::nullopt : octets(line);
+        case TypeKind::octet_string:
             return octets(line);
         case TypeKind::visible_string:
         case TypeKind::unicode_string:
-            return Value{0, false, std::string(document.value(line))};
+            return string(line, type);
         default:
             return numeric(line, type);
     }

@@ -113,10 +113,12 @@ class Reading {
         return plain || complain(number, line);
     }
     bool complain(const Number& number, std::uint32_t line);
+    void report_formula(std::uint32_t line, const dictionary::TypeRow& type);
     void report_too_large(std::uint32_t line, const dictionary::TypeRow& type);
     std::optional<dictionary::Value> numeric(std::uint32_t line, const dictionary::TypeRow& type);
     std::optional<dictionary::Value> real(std::uint32_t line, const dictionary::TypeRow& type);
     std::optional<dictionary::Value> octets(std::uint32_t line);
+    std::optional<dictionary::Value> string(std::uint32_t line, const dictionary::TypeRow& type);
 
     const std::string& path_;
     diagnostic::Findings& findings_;

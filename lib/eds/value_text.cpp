@@ -102,6 +102,12 @@ std::optional<Value> real_value(double number, const TypeRow& type) {
     return std::isfinite(narrow) ? std::optional(Value{std::bit_cast<std::uint32_t>(narrow)}) : std::nullopt;
 }
 
+bool is_number_zero(std::string_view text) {
+    const Number number = parse_number(text);
+    return (text.size() == 1 || base::lower(text.substr(0, 2).back()) == 'x') && !number.negative &&
+           number.reading == Number::Reading::number && number.magnitude == 0 && !number.node_id_relative;
+}
+
 std::optional<std::string> octets_of(std::string_view text) {
     std::string digits(text);
     std::erase(digits, ' ');

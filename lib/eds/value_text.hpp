@@ -24,6 +24,9 @@ std::optional<dictionary::Value> value_of(const Number& number, const dictionary
 // Nothing when it is too large for a REAL32.
 std::optional<dictionary::Value> real_value(double number, const dictionary::TypeRow& type);
 
+// 0 or 0x0, which stand for no data of a domain in many files; 00 is one byte.
+bool is_number_zero(std::string_view text);
+
 // The bytes that pairs of hexadecimal digits are, with blanks between them or not; nothing for another text.
 std::optional<std::string> octets_of(std::string_view text);
 

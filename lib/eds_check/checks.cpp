@@ -111,6 +111,12 @@ const Check table[] = {
     {&rules::eds_node_id_absent, check_node_bases},
     {&rules::eds_sdo_server, check_default_server},
     {&rules::eds_heartbeat_consumer, check_heartbeat_consumers},
+
+    {&rules::eds_sub_object_type, check_sub_object_types, tolerated, mend_sub_object_type},
+    {&rules::eds_module, check_modules},
+    {&rules::eds_object_link, check_object_links},
+    {&rules::eds_commissioning_absent, check_absent_commissioning},
+    {&rules::eds_domain_default, check_domain_defaults},
 };
 
 std::vector<const diagnostic::Rule*> strict_rules() {

@@ -1,6 +1,7 @@
 #include "eds_check/context.hpp"
 
 #include <algorithm>
+#include <tuple>
 
 #include "base/ascii.hpp"
 
@@ -10,6 +11,52 @@ using dictionary::Value;
 using dictionary::Variable;
 using eds::SectionKind;
 using eds::SectionName;
+
+namespace {
+
+// What the parts of one object have in common: module, index, whether they extend the object only.
+using Place = std::tuple<std::uint8_t, std::uint16_t, bool>;
+
+Place place_of(const SectionName& name) {
+    return {name.module, name.index, name.kind == SectionKind::module_sub_extension};
+}
+
+bool is_same(const SectionName& a, const SectionName& b) {
+    return place_of(a) == place_of(b) && a.kind == b.kind && a.sub_index == b.sub_index;
+}
+
+const dictionary::Module* module_of(const dictionary::Dictionary& dictionary, std::uint8_t number) {
+    const auto found =
+        std::find_if(dictionary.modules.begin(), dictionary.modules.end(),
+                     [number](const dictionary::Module& each) { return each.number == number; });
+    return found != dictionary.modules.end() ? &*found : nullptr;
+}
+
+// By ascending index.
+template <typename Item>
+const Item* find_index(const std::vector<Item>& items, std::uint16_t index) {
+    const auto found =
+        std::lower_bound(items.begin(), items.end(), index,
+                         [](const Item& each, unsigned wanted) { return each.index < wanted; });
+    return found != items.end() && found->index == index ? &*found : nullptr;
+}
+
+const dictionary::Object* object_of(const dictionary::Dictionary& dictionary, const SectionName& name) {
+    if (name.module == 0) {
+        return dictionary.find(name.index);
+    }
+    const dictionary::Module* const module = module_of(dictionary, name.module);
+    return module != nullptr ? find_index(module->fixed_objects, name.index) : nullptr;
+}
+
+const Variable* extension_variable(const dictionary::Dictionary& dictionary, const SectionName& name) {
+    const dictionary::Module* const module = module_of(dictionary, name.module);
+    const dictionary::ModuleExtension* const extension =
+        module != nullptr ? find_index(module->extensions, name.index) : nullptr;
+    return extension != nullptr ? &extension->variable : nullptr;
+}
+
+}  // namespace
 
 const Part* Group::find(std::uint8_t sub_index) const {
     const std::span<const Part> subs = sub_objects();
@@ -42,45 +89,68 @@ void Model::read_parts(const eds::Document& document, const eds::Sheet& sheet) {
     diagnostic::Findings told_already;  // by the reader
     const std::string path;
     eds::Reading reading(document, sheet.sections, path, told_already, 0);
+    const SectionName* last = nullptr;
     for (const std::uint32_t number : sheet.sections.ordered()) {
         const SectionName& name = sheet.sections.name(number);
-        if (name.module != 0) {
-            break;
-        }
         const bool is_sub = name.kind == SectionKind::sub_object;
-        if (name.kind != SectionKind::object && !is_sub) {
+        const bool is_part =
+            is_sub || name.kind == SectionKind::object || name.kind == SectionKind::module_sub_extension;
+        if (!is_part || (last != nullptr && is_same(*last, name))) {
             continue;
         }
-        if (!parts_.empty() && parts_.back().index == name.index && parts_.back().is_sub_object == is_sub &&
-            parts_.back().sub_index == name.sub_index) {
-            continue;
-        }
+        last = &name;
         parts_.push_back({number, name.index, name.sub_index, is_sub,
                           object_key_lines(reading, reading.section(number)), nullptr});
     }
 }
 
 void Model::group_parts(const eds::Sheet& sheet) {
-    for (std::size_t begin = 0, end = 0; begin < parts_.size(); begin = end) {
-        Group group;
-        group.index = parts_[begin].index;
-        group.object = sheet.dictionary.find(group.index);
-        group.has_section = !parts_[begin].is_sub_object;
-        for (end = begin; end < parts_.size() && parts_[end].index == group.index; ++end) {
-            const bool has_value = group.object != nullptr && (parts_[end].is_sub_object ||
-                                                               !object::has_sub_objects(group.object->code));
-            parts_[end].variable = has_value ? group.object->find(parts_[end].sub_index) : nullptr;
-        }
-        group.parts = std::span(parts_).subspan(begin, end - begin);
-        groups_.push_back(group);
+    for (std::size_t begin = 0; begin < parts_.size(); begin += groups_.back().parts.size()) {
+        groups_.push_back(group_at(begin, sheet));
     }
 }
 
-const Group* Model::find(std::uint16_t index) const {
+Group Model::group_at(std::size_t begin, const eds::Sheet& sheet) {
+    const SectionName& first = sheet.sections.name(parts_[begin].section);
+    Group group;
+    group.module = first.module;
+    group.index = first.index;
+    group.is_extension = first.kind == SectionKind::module_sub_extension;
+    group.has_section = first.kind != SectionKind::sub_object;
+    std::size_t end = begin + 1;
+    if (group.is_extension) {
+        parts_[begin].variable = extension_variable(sheet.dictionary, first);
+    } else {
+        group.object = object_of(sheet.dictionary, first);
+        while (end < parts_.size() && place_of(sheet.sections.name(parts_[end].section)) == place_of(first)) {
+            ++end;
+        }
+    }
+    for (std::size_t at = begin; at < end && group.object != nullptr; ++at) {
+        const bool has_value = parts_[at].is_sub_object || !object::has_sub_objects(group.object->code);
+        parts_[at].variable = has_value ? group.object->find(parts_[at].sub_index) : nullptr;
+    }
+    group.parts = std::span(parts_).subspan(begin, end - begin);
+    return group;
+}
+
+std::span<const Group> Model::groups_of(std::uint8_t module) const {
+    const auto begin = std::partition_point(groups_.begin(), groups_.end(),
+                                            [module](const Group& group) { return group.module < module; });
+    const auto end = std::partition_point(begin, groups_.end(),
+                                          [module](const Group& group) { return group.module == module; });
+    return {begin, end};
+}
+
+const Group* Model::find(const SectionName& name) const {
+    const Place wanted = place_of(name);
     const auto found =
-        std::lower_bound(groups_.begin(), groups_.end(), index,
-                         [](const Group& group, unsigned wanted) { return group.index < wanted; });
-    return found != groups_.end() && found->index == index ? &*found : nullptr;
+        std::lower_bound(groups_.begin(), groups_.end(), wanted, [](const Group& group, const Place& place) {
+            return Place(group.module, group.index, group.is_extension) < place;
+        });
+    return found != groups_.end() && Place(found->module, found->index, found->is_extension) == wanted
+               ? &*found
+               : nullptr;
 }
 
 std::optional<std::uint8_t> Context::node_id() const {

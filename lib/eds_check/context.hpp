@@ -22,7 +22,8 @@ using base::object_text;
 using eds::ObjectKey;
 using eds::Span;
 
-// A section of an object or sub-object of the device; of those with one name the first.
+// A section of an object or sub-object of the device or of one of its modules, or of what a module adds to
+// objects; of those with one name the first.
 struct Part {
     std::uint32_t section = 0;
     std::uint16_t index = 0;
@@ -33,12 +34,15 @@ struct Part {
 };
 
 struct Group {
+    std::uint8_t module = 0;  // 0: of the device
     std::uint16_t index = 0;
+    bool is_extension = false;                   // [M1SubExt6000]: one part, and no object
     std::span<const Part> parts{};               // the object's own section first, when it has one
     const dictionary::Object* object = nullptr;  // nullptr: none, or one that could not be read
     bool has_section = false;
 
     const Part& own() const { return parts.front(); }  // when has_section
+    const dictionary::Variable* own_variable() const { return has_section ? own().variable : nullptr; }
     std::span<const Part> sub_objects() const { return parts.subspan(has_section ? 1 : 0); }
     const Part* find(std::uint8_t sub_index) const;
 };
@@ -48,8 +52,13 @@ class Model {
   public:
     Model(const eds::Document& document, const eds::Sheet& sheet);
 
-    std::span<const Group> groups() const { return groups_; }  // ascending index
-    const Group* find(std::uint16_t index) const;
+    std::span<const Group> groups() const { return groups_of(0); }
+    std::span<const Group> groups_of(std::uint8_t module) const;   // 0: of the device; by ascending index
+    std::span<const Group> all_groups() const { return groups_; }  // then of the modules, one by one
+    const Group* find(std::uint16_t index) const {
+        return find({.kind = eds::SectionKind::object, .index = index});
+    }
+    const Group* find(const eds::SectionName& name) const;  // that the section belongs to
 
     // What the key on a line is; nullptr: unknown, or no entry of a section whose keys are known.
     const KeyRow* key_row(std::uint32_t line) const { return key_rows_[line]; }
@@ -58,6 +67,7 @@ class Model {
     void read_keys(const eds::Document& document, const eds::Sheet& sheet);
     void read_parts(const eds::Document& document, const eds::Sheet& sheet);
     void group_parts(const eds::Sheet& sheet);
+    Group group_at(std::size_t begin, const eds::Sheet& sheet);
 
     std::vector<const KeyRow*> key_rows_;  // by line
     std::vector<Part> parts_;
@@ -112,10 +122,10 @@ void for_each_entry(const Context& context, Take take) {
     }
 }
 
-// Calls `take(group, part)` for each section of an object or sub-object.
+// Calls `take(group, part)` for each section of an object or sub-object, of the device and of its modules.
 template <typename Take>
 void for_each_part(const Context& context, Take take) {
-    for (const Group& group : context.model.groups()) {
+    for (const Group& group : context.model.all_groups()) {
         for (const Part& part : group.parts) {
             take(group, part);
         }

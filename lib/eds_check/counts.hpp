@@ -13,7 +13,7 @@ namespace cgw::eds_check {
 bool is_list_entry(const Context& context, std::uint32_t line);  // 1=0x1000, Line1=…: lists.cpp
 std::size_t entries_of(const Context& context, const eds::Section& section);
 
-// Sub-objects that SubNumber counts: all but FFh. objects.cpp
+// Sub-objects that SubNumber counts: all but FFh. sub_objects.cpp
 std::size_t sub_objects_of(const Group& group);
 
 // PDOs for NrOfRXPDO and NrOfTXPDO; nothing for other keys. information.cpp

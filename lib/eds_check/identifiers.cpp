@@ -270,31 +270,4 @@ void check_default_server(const Context& context) {
     }
 }
 
-void check_heartbeat_consumers(const Context& context) {
-    constexpr std::uint16_t index = 0x1016;
-    const Group* const group = context.model.find(index);
-    if (group == nullptr || group->object == nullptr || !group->has_section ||
-        !object::has_sub_objects(group->object->code)) {
-        return;
-    }
-    for (const Variable& variable : group->object->variables) {
-        const auto value = variable.sub_index != 0 ? number_of(&variable) : std::nullopt;
-        if (!value) {
-            continue;
-        }
-        const auto node = static_cast<std::uint32_t>(*value >> 16U);
-        const auto time = static_cast<std::uint32_t>(*value & eds::highest_u16);
-        const bool watches_itself = context.node_id() && node == *context.node_id() && time != 0;
-        if ((time == 0 || (node >= 1 && node <= highest_node)) && !watches_itself) {
-            continue;
-        }
-        context.reading.report(
-            rules::eds_heartbeat_consumer, context.value_place(*group, variable.sub_index),
-            watches_itself
-                ? fmt::format("the heartbeat of node {} is watched, which is this node", node)
-                : fmt::format("the heartbeat of node {} is watched, every {} ms; nodes are 1 to {}", node,
-                              time, highest_node));
-    }
-}
-
 }  // namespace cgw::eds_check

@@ -195,6 +195,30 @@ void check_absent_keys(const Context& context) {
     }
 }
 
+// CiA 306 has LastEDS and ConnectedModules in configuration files only.
+void check_absent_commissioning(const Context& context) {
+    constexpr std::string_view suffix = ".dcf";
+    if (context.sheet.sections.find(SectionKind::commissioning)) {
+        return;
+    }
+    const std::string_view name = context.options.file_name;
+    const std::uint32_t last_eds = context.line_of(SectionKind::file_info, "LastEDS");
+    const auto modules = context.sheet.sections.find(SectionKind::connected_modules);
+    if (context.stated(last_eds)) {
+        context.reading.report(
+            rules::eds_commissioning_absent, context.document.key_span(last_eds),
+            "LastEDS stands in configuration files, and no [DeviceComissioning] says of which node");
+    } else if (modules) {
+        context.reading.report(rules::eds_commissioning_absent, context.header_of(*modules),
+                               "modules are connected to a node, and no [DeviceComissioning] says to which");
+    } else if (name.size() > suffix.size() &&
+               base::equal_ignoring_case(name.substr(name.size() - suffix.size()), suffix)) {
+        context.reading.report_whole_file(
+            rules::eds_commissioning_absent,
+            "a .dcf is the configuration of one node, and [DeviceComissioning] is missing");
+    }
+}
+
 void check_both_commissionings(const Context& context) {
     const std::span<const eds::Section> sections = context.document.sections();
     std::optional<std::uint32_t> first;

@@ -1,4 +1,4 @@
-// Objects and sub-objects: which keys their type demands and allows, how many they are, what CiA 301 fixes.
+// Objects and sub-objects: which keys their type demands and allows, their names, what CiA 301 fixes.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -10,7 +10,7 @@
 #include "diagnostic/rules/eds_check.hpp"
 #include "eds/words.hpp"
 #include "eds_check/context.hpp"
-#include "eds_check/counts.hpp"
+#include "eds_check/parents.hpp"
 #include "eds_check/standard_objects.hpp"
 #include "eds_check/subjects.hpp"
 
@@ -18,10 +18,7 @@ namespace cgw::eds_check {
 namespace {
 
 namespace rules = diagnostic::rules;
-using object::DataType;
 using object::ObjectCode;
-
-constexpr std::uint8_t structure_sub_index = 0xFF;
 
 // Keys that only one kind of object has.
 struct KeyUse {
@@ -43,24 +40,6 @@ constexpr std::array key_uses{
     KeyUse{ObjectKey::compact_sub_objects, "CompactSubObj", false, true, true},
 };
 
-bool is_compact(const Context& context, const Part& part) {
-    return context.number(part.lines[ObjectKey::compact_sub_objects]).value_or(0) > 0;
-}
-
-bool is_parent(const Group& group, const Part& part) {
-    return !part.is_sub_object && group.object != nullptr && object::has_sub_objects(group.object->code);
-}
-
-// Calls `take(group)` for each object with sub-objects, all of them in sections of their own.
-template <typename Take>
-void for_each_parent(const Context& context, Take take) {
-    for (const Group& group : context.model.groups()) {
-        if (group.has_section && is_parent(group, group.own()) && !is_compact(context, group.own())) {
-            take(group);
-        }
-    }
-}
-
 std::string_view name_of(ObjectCode code) {
     switch (code) {
         case ObjectCode::array:
@@ -76,15 +55,9 @@ std::string_view name_of(ObjectCode code) {
 
 }  // namespace
 
-std::size_t sub_objects_of(const Group& group) {
-    const auto subs = group.sub_objects();
-    return static_cast<std::size_t>(std::count_if(
-        subs.begin(), subs.end(), [](const Part& part) { return part.sub_index != structure_sub_index; }));
-}
-
 void check_key_uses(const Context& context) {
     for_each_part(context, [&](const Group& group, const Part& part) {
-        if (!part.is_sub_object && group.object == nullptr) {
+        if (!part.is_sub_object && group.object == nullptr && !group.is_extension) {
             return;
         }
         const bool parent = is_parent(group, part);
@@ -117,7 +90,7 @@ void check_names(const Context& context) {
 }
 
 void check_equal_names(const Context& context) {
-    for (const Group& group : context.model.groups()) {
+    for (const Group& group : context.model.all_groups()) {
         std::set<std::string_view> names;
         for (const Part& part : group.sub_objects()) {
             const std::uint32_t line = part.lines[ObjectKey::name];
@@ -133,117 +106,15 @@ void check_equal_names(const Context& context) {
 void check_object_types_stated(const Context& context) {
     for_each_part(context, [&](const Group& group, const Part& part) {
         const bool told = !part.is_sub_object && !group.sub_objects().empty();  // by the reader
-        if (!told && !context.stated(part.lines[ObjectKey::object_type])) {
+        if (!told && !group.is_extension && !context.stated(part.lines[ObjectKey::object_type])) {
             context.reading.report(rules::eds_object_type_absent, context.header_of(part.section),
                                    fmt::format("{} has no ObjectType; VAR is meant", context.label(part)));
         }
     });
 }
 
-void check_sub_numbers(const Context& context) {
-    for_each_parent(context, [&](const Group& group) {
-        const std::uint32_t line = group.own().lines[ObjectKey::sub_number];
-        const std::size_t count = sub_objects_of(group);
-        const auto stated = context.number(line);
-        if (stated && *stated != count) {
-            context.reading.report(rules::eds_sub_number, context.document.value_span(line),
-                                   fmt::format("SubNumber is {}, and {} has {} sub-object{}", *stated,
-                                               context.label(group.own()), count, count == 1 ? "" : "s"));
-        }
-    });
-}
-
-void check_sub_numbers_stated(const Context& context) {
-    for_each_parent(context, [&](const Group& group) {
-        if (!context.stated(group.own().lines[ObjectKey::sub_number])) {
-            context.reading.report(rules::eds_sub_number_absent, context.header_of(group.own().section),
-                                   fmt::format("{} has no SubNumber", context.label(group.own())));
-        }
-    });
-}
-
-void check_first_sub_objects(const Context& context) {
-    for_each_parent(context, [&](const Group& group) {
-        if (group.find(0) == nullptr) {
-            context.reading.report(rules::eds_sub_0_absent, context.header_of(group.own().section),
-                                   fmt::format("{} has no sub-object 0", context.label(group.own())));
-        }
-    });
-}
-
-void check_first_sub_types(const Context& context) {
-    for_each_parent(context, [&](const Group& group) {
-        const Part* const first = group.find(0);
-        if (first != nullptr && first->variable != nullptr && first->variable->type != DataType::unsigned8) {
-            context.reading.report(
-                rules::eds_sub_0_type, context.document.value_span(first->lines[ObjectKey::data_type]),
-                fmt::format("{} is {}; the number of entries is UNSIGNED8", context.label(*first),
-                            dictionary::row_of(first->variable->type).name));
-        }
-    });
-}
-
-void check_first_sub_values(const Context& context) {
-    for_each_parent(context, [&](const Group& group) {
-        const Part* const first = group.find(0);
-        const auto stated = first != nullptr ? number_of(first->variable) : std::nullopt;
-        if (!stated || counts_entries_in_use(group.index)) {
-            return;
-        }
-        std::uint8_t highest = 0;
-        for (const Part& part : group.sub_objects()) {
-            highest = part.sub_index != structure_sub_index ? std::max(highest, part.sub_index) : highest;
-        }
-        if (*stated != highest) {
-            context.reading.report(
-                rules::eds_sub_0_value, context.value_place(group, 0),
-                fmt::format("{} is {}, and the highest sub-index of {} is {}", context.label(*first), *stated,
-                            object_text(group.index), highest));
-        }
-    });
-}
-
-void check_defaults(const Context& context) {
-    constexpr std::uint16_t identity = 0x1018;
-    for_each_parent(context, [&](const Group& group) {
-        for (const Part& part : group.sub_objects()) {
-            const bool wanted = part.sub_index == 0 || group.index == identity;
-            if (wanted && part.variable != nullptr && value_of(*part.variable) == nullptr &&
-                !context.stated(part.lines[ObjectKey::default_value])) {
-                context.reading.report(rules::eds_default_absent, context.header_of(part.section),
-                                       fmt::format("{} has no DefaultValue", context.label(part)));
-            }
-        }
-    });
-}
-
-void check_array_types(const Context& context) {
-    for_each_parent(context, [&](const Group& group) {
-        if (group.object->code != ObjectCode::array) {
-            return;
-        }
-        const Part* first = nullptr;
-        for (const Part& part : group.sub_objects()) {
-            if (part.sub_index == 0 || part.sub_index == structure_sub_index || part.variable == nullptr) {
-                continue;
-            }
-            first = first == nullptr ? &part : first;
-            if (part.variable->type != first->variable->type) {
-                const std::uint32_t line = part.lines[ObjectKey::data_type];
-                context.reading.report(
-                    rules::eds_array_types,
-                    line != 0 ? context.document.value_span(line) : context.header_of(part.section),
-                    fmt::format("{} is {}, and {} of the same array is {}", context.label(part),
-                                dictionary::row_of(part.variable->type).name, context.label(*first),
-                                dictionary::row_of(first->variable->type).name));
-                return;
-            }
-        }
-    });
-}
-
 void check_standard_codes(const Context& context) {
-    for (const Group& group : context.model.groups()) {
+    for (const Group& group : context.model.all_groups()) {
         const auto standard = standard_code(group.index);
         if (!standard || group.object == nullptr || !group.has_section || group.object->code == *standard ||
             !context.stated(group.own().lines[ObjectKey::object_type])) {
@@ -261,8 +132,8 @@ void check_standard_types(const Context& context) {
     for_each_part(context, [&](const Group& group, const Part& part) {
         const auto standard = standard_type(part.index, part.sub_index);
         const bool has_sub = group.object != nullptr && object::has_sub_objects(group.object->code);
-        if (standard && part.variable != nullptr && part.variable->type != *standard &&
-            has_sub == is_parent_by_standard(part.index)) {
+        if (standard && group.object != nullptr && part.variable != nullptr &&
+            part.variable->type != *standard && has_sub == is_parent_by_standard(part.index)) {
             context.reading.report(
                 rules::eds_standard_type, context.document.value_span(part.lines[ObjectKey::data_type]),
                 fmt::format("{} is {} here; CiA 301 has it as {}",

@@ -117,11 +117,20 @@ void report(const Context& context, const diagnostic::Rule& rule, const Mapped& 
                            std::move(related));
 }
 
+// A dummy is a data type; nullptr where there is nothing to be mapped.
+const dictionary::TypeRow* type_of(const Context& context, const Mapped& mapped) {
+    if (mapped.is_dummy()) {
+        return dictionary::find_type(mapped.index);
+    }
+    const Variable* const variable = target_of(context, mapped);
+    return variable != nullptr ? &dictionary::row_of(variable->type) : nullptr;
+}
+
 // A boolean may be mapped as one bit, or as the byte that it takes.
-bool is_length_of(const Variable& variable, unsigned bits) {
+bool is_length_of(const dictionary::TypeRow& type, unsigned bits) {
     constexpr unsigned bits_of_byte = 8;
-    const unsigned own = dictionary::row_of(variable.type).bits;
-    return own == 0 || bits == own || (variable.type == object::DataType::boolean && bits == bits_of_byte);
+    return type.bits == 0 || bits == type.bits ||
+           (type.type == object::DataType::boolean && bits == bits_of_byte);
 }
 
 bool fits_direction(Access access, bool transmits) {
@@ -149,12 +158,11 @@ void check_mapped_objects(const Context& context) {
 
 void check_mapped_lengths(const Context& context) {
     for_each_mapped(context, [&](const Mapped& mapped) {
-        const Variable* const variable = mapped.is_dummy() ? nullptr : target_of(context, mapped);
-        if (variable != nullptr && !is_length_of(*variable, mapped.bits)) {
-            const dictionary::TypeRow& type = dictionary::row_of(variable->type);
+        const dictionary::TypeRow* const type = type_of(context, mapped);
+        if (type != nullptr && !is_length_of(*type, mapped.bits)) {
             report(context, rules::eds_mapped_length, mapped,
                    fmt::format("{} with {} bits; it is {} with {}", entry_text(context, mapped), mapped.bits,
-                               type.name, type.bits));
+                               type->name, type->bits));
         }
     });
 }

@@ -42,7 +42,7 @@ struct Found {
 };
 Found part_at(const Context& context, std::uint32_t line) {
     const std::uint32_t section = number_of(context, section_of(context, line));
-    const Group* const group = context.model.find(context.sheet.sections.name(section).index);
+    const Group* const group = context.model.find(context.sheet.sections.name(section));
     if (group == nullptr) {
         return {};
     }
@@ -128,6 +128,18 @@ std::optional<Repair> state_object_type(const Context& context, const Span& plac
                       {{Change::Kind::replace, context.document.line_span(line), entry}}};
     }
     return stated(*found.part, place.line, {ObjectKey::name}, entry);
+}
+
+// Where the data type is one of single values, and the access is stated, VAR is meant.
+std::optional<Repair> mend_sub_object_type(const Context& context, const Span& place) {
+    const Found found = part_at(context, place.line);
+    const dictionary::Variable* const variable = found.part != nullptr ? found.part->variable : nullptr;
+    if (variable == nullptr || !context.stated(found.part->lines[ObjectKey::access_type]) ||
+        !context.stated(found.part->lines[ObjectKey::data_type]) ||
+        variable->type == object::DataType::domain) {
+        return std::nullopt;
+    }
+    return restated(context, place, "0x7");
 }
 
 std::optional<Repair> mend_standard_code(const Context& context, const Span& place) {

@@ -27,6 +27,7 @@ std::optional<Repair> unlist(const Context& context, const eds::Span& place);
 std::optional<Repair> mend_sub_number(const Context& context, const eds::Span& place);
 std::optional<Repair> state_sub_number(const Context& context, const eds::Span& place);
 std::optional<Repair> state_object_type(const Context& context, const eds::Span& place);
+std::optional<Repair> mend_sub_object_type(const Context& context, const Span& place);
 std::optional<Repair> mend_standard_code(const Context& context, const eds::Span& place);
 std::optional<Repair> mend_pdo_count(const Context& context, const eds::Span& place);
 std::optional<Repair> mend_identity(const Context& context, const eds::Span& place);

@@ -25,6 +25,7 @@ void check_unknown_keys(const Context& context);
 void check_absent_sections(const Context& context);
 void check_absent_keys(const Context& context);
 void check_both_commissionings(const Context& context);
+void check_absent_commissioning(const Context& context);
 
 // lists.cpp
 void check_list_counts(const Context& context);
@@ -42,6 +43,11 @@ void check_key_uses(const Context& context);
 void check_names(const Context& context);
 void check_equal_names(const Context& context);
 void check_object_types_stated(const Context& context);
+void check_standard_codes(const Context& context);
+void check_standard_types(const Context& context);
+void check_access_case(const Context& context);
+
+// sub_objects.cpp
 void check_sub_numbers(const Context& context);
 void check_sub_numbers_stated(const Context& context);
 void check_first_sub_objects(const Context& context);
@@ -49,9 +55,11 @@ void check_first_sub_types(const Context& context);
 void check_first_sub_values(const Context& context);
 void check_defaults(const Context& context);
 void check_array_types(const Context& context);
-void check_standard_codes(const Context& context);
-void check_standard_types(const Context& context);
-void check_access_case(const Context& context);
+void check_sub_object_types(const Context& context);
+
+// modules.cpp
+void check_modules(const Context& context);
+void check_object_links(const Context& context);
 
 // values.cpp
 void check_octal_numbers(const Context& context);
@@ -59,6 +67,7 @@ void check_leading_zeros(const Context& context);
 void check_limits(const Context& context);
 void check_values_in_limits(const Context& context);
 void check_signed_values(const Context& context);
+void check_domain_defaults(const Context& context);
 void check_mappable_access(const Context& context);
 void check_mappable_types(const Context& context);
 
@@ -94,6 +103,8 @@ void check_duplicate_identifiers(const Context& context);
 void check_identifier_forms(const Context& context);
 void check_node_bases(const Context& context);
 void check_default_server(const Context& context);
+
+// heartbeat.cpp
 void check_heartbeat_consumers(const Context& context);
 
 }  // namespace cgw::eds_check

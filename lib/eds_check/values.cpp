@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 
 #include "base/ascii.hpp"
 #include "diagnostic/rules/eds_check.hpp"
+#include "eds/value_text.hpp"
 #include "eds_check/context.hpp"
 #include "eds_check/subjects.hpp"
 
@@ -22,10 +24,19 @@ using object::Access;
 constexpr std::array value_keys{ObjectKey::default_value, ObjectKey::parameter_value, ObjectKey::low_limit,
                                 ObjectKey::high_limit};
 
+double real_of(const Value& value, const TypeRow& type) {
+    constexpr unsigned single = 32;
+    return type.bits == single ? double{std::bit_cast<float>(static_cast<std::uint32_t>(value.number))}
+                               : std::bit_cast<double>(value.number);
+}
+
 // Order of two values of the type; nothing where they have none: other kinds, or one follows the node number.
 std::optional<bool> is_below(const Value& a, const Value& b, const TypeRow& type) {
     if (a.node_id_relative || b.node_id_relative) {
         return std::nullopt;
+    }
+    if (type.kind == TypeKind::real) {
+        return real_of(a, type) < real_of(b, type);
     }
     if (type.kind == TypeKind::natural || type.kind == TypeKind::boolean) {
         return a.number < b.number;
@@ -50,8 +61,31 @@ bool is_beyond(const Variable& variable, const Value& value) {
     return below || (variable.high_limit && is_below(*variable.high_limit, value, type).value_or(false));
 }
 
-bool is_octal(std::string_view text) {
-    return text.size() > 1 && text.front() == '0' && base::consists_of(text, "01234567");
+std::uint64_t mask_of(unsigned bits) {
+    return bits >= 64 ? ~std::uint64_t{0} : (std::uint64_t{1} << bits) - 1;
+}
+
+// What a value that follows the node number comes to for one node.
+Value of_node(const Value& value, std::uint8_t node_id, const TypeRow& type) {
+    return {value.resolve(node_id) & mask_of(type.bits)};
+}
+
+// Beyond what the type holds. A number whose sign bit is set is a negative one.
+bool overflows(const Value& value, std::uint8_t node_id, const TypeRow& type) {
+    const std::uint64_t highest = mask_of(type.kind == TypeKind::integer ? type.bits - 1 : type.bits);
+    return value.number <= highest && node_id > highest - value.number;
+}
+
+// The number that begins with 0 without being hexadecimal, also in $NODEID+number; nothing for other texts.
+std::optional<Span> octal_in(const Context& context, std::uint32_t line) {
+    Span span = context.document.value_span(line);
+    const std::string_view text = context.document.view(span);
+    if (const std::size_t plus = text.rfind('+'); plus != std::string_view::npos && text.starts_with('$')) {
+        span.begin += static_cast<std::uint32_t>(text.find_first_not_of(" \t", plus + 1));
+    }
+    const std::string_view number = context.document.view(span);
+    const bool octal = number.size() > 1 && number.front() == '0' && base::consists_of(number, "01234567");
+    return octal ? std::optional(span) : std::nullopt;
 }
 
 // A number stands there, and no text or octets, which may begin with 0.
@@ -60,23 +94,24 @@ bool holds_number(const Context& context, std::uint32_t section, const KeyRow& r
     if (row.holds != Holds::value || row.tail != Tail::none) {
         return row.holds == Holds::number;
     }
-    const Group* const group = name.module == 0 ? context.model.find(name.index) : nullptr;
+    const Group* const group = context.model.find(name);
     const dictionary::Object* const object = group != nullptr ? group->object : nullptr;
-    const Variable* const variable = object != nullptr ? object->find(name.sub_index) : nullptr;
+    const Variable* const variable = object != nullptr  ? object->find(name.sub_index)
+                                     : group != nullptr ? group->own_variable()
+                                                        : nullptr;
     const TypeKind kind = variable != nullptr ? dictionary::row_of(variable->type).kind : TypeKind::structure;
     return dictionary::is_numeric(kind) && kind != TypeKind::real;
 }
 
-// Calls `take(line, text)` for each number that begins with 0 without being hexadecimal.
+// Calls `take(span, text)` for each number that begins with 0 without being hexadecimal.
 template <typename Take>
 void for_each_octal(const Context& context, Take take) {
     for_each_entry(context, [&](std::uint32_t section, std::uint32_t line) {
         const KeyRow* const row = context.model.key_row(line);
-        const std::string_view text = context.document.value(line);
-        if (row == nullptr || !is_octal(text) || !holds_number(context, section, *row)) {
-            return;
+        const auto span = row != nullptr ? octal_in(context, line) : std::nullopt;
+        if (span && holds_number(context, section, *row)) {
+            take(*span, context.document.view(*span));
         }
-        take(line, text);
     });
 }
 
@@ -84,14 +119,38 @@ std::uint64_t as_decimal(std::string_view text) {
     return eds::parse_number(text.substr(std::min(text.find_first_not_of('0'), text.size() - 1))).magnitude;
 }
 
+// Nodes for which a value is tried: the known one, else the first and the last.
+std::vector<std::uint8_t> nodes_of(const Context& context) {
+    constexpr std::uint8_t highest_node = 127;
+    const auto known = context.node_id();
+    return known ? std::vector<std::uint8_t>{*known} : std::vector<std::uint8_t>{1, highest_node};
+}
+
+// What is wrong with the value of a variable; "" when nothing is.
+std::string out_of_limits(const Context& context, const Variable& variable, const Value& value) {
+    const TypeRow& type = dictionary::row_of(variable.type);
+    if (!value.node_id_relative) {
+        return is_beyond(variable, value) ? "lies outside its limits" : "";
+    }
+    for (const std::uint8_t node : nodes_of(context)) {
+        if (overflows(value, node, type)) {
+            return fmt::format("is too large for {} with node id {}", type.name, node);
+        }
+        if (is_beyond(variable, of_node(value, node, type))) {
+            return fmt::format("lies outside its limits with node id {}", node);
+        }
+    }
+    return "";
+}
+
 }  // namespace
 
 void check_octal_numbers(const Context& context) {
-    for_each_octal(context, [&](std::uint32_t line, std::string_view text) {
+    for_each_octal(context, [&](const Span& span, std::string_view text) {
         const std::uint64_t octal = eds::parse_number(text).magnitude;
         if (as_decimal(text) != octal) {
             context.reading.report(
-                rules::eds_octal, context.document.value_span(line),
+                rules::eds_octal, span,
                 fmt::format("{} begins with 0: it is octal, and means {}", text.substr(0, 30), octal),
                 fmt::format("write {} or 0x{:X}", octal, octal));
         }
@@ -99,10 +158,10 @@ void check_octal_numbers(const Context& context) {
 }
 
 void check_leading_zeros(const Context& context) {
-    for_each_octal(context, [&](std::uint32_t line, std::string_view text) {
+    for_each_octal(context, [&](const Span& span, std::string_view text) {
         const std::uint64_t octal = eds::parse_number(text).magnitude;
         if (as_decimal(text) == octal) {
-            context.reading.report(rules::eds_leading_zero, context.document.value_span(line),
+            context.reading.report(rules::eds_leading_zero, span,
                                    fmt::format("{} begins with 0, as octal numbers do", text.substr(0, 30)),
                                    fmt::format("write {}", octal));
         }
@@ -133,10 +192,12 @@ void check_values_in_limits(const Context& context) {
                          variable->no_default ? nullptr : &variable->default_value),
               std::tuple(ObjectKey::parameter_value, "ParameterValue",
                          variable->parameter_value ? &*variable->parameter_value : nullptr)}) {
-            if (value != nullptr && context.stated(part.lines[key]) && is_beyond(*variable, *value)) {
-                context.reading.report(
-                    rules::eds_value_limits, context.document.value_span(part.lines[key]),
-                    fmt::format("{} of {} lies outside its limits", name, context.label(part)));
+            const std::string what = value != nullptr && context.stated(part.lines[key])
+                                         ? out_of_limits(context, *variable, *value)
+                                         : "";
+            if (!what.empty()) {
+                context.reading.report(rules::eds_value_limits, context.document.value_span(part.lines[key]),
+                                       fmt::format("{} of {} {}", name, context.label(part), what));
             }
         }
     });
@@ -185,6 +246,18 @@ void check_mappable_types(const Context& context) {
             context.reading.report(
                 rules::eds_mappable_type, context.document.value_span(part.lines[ObjectKey::pdo_mapping]),
                 fmt::format("{} is {}, which fits into no PDO", context.label(part), type.name));
+        }
+    });
+}
+
+void check_domain_defaults(const Context& context) {
+    for_each_part(context, [&](const Group&, const Part& part) {
+        const std::uint32_t line = part.lines[ObjectKey::default_value];
+        if (part.variable != nullptr && part.variable->type == object::DataType::domain &&
+            context.stated(line) && eds::is_number_zero(context.document.value(line))) {
+            context.reading.report(
+                rules::eds_domain_default, context.document.value_span(line),
+                fmt::format("{} is a DOMAIN, and a number is its DefaultValue", context.label(part)));
         }
     });
 }

@@ -68,6 +68,25 @@ TEST(IdentifierChecks, take_the_node_that_is_given_then_that_of_the_file) {
     EXPECT_EQ(test::count_of(checked_with(of_node_5, {.node_id = 6}), rules::eds_cob_id_twice), 0U);
 }
 
+TEST(ConfiguredValues, count_in_mappings_and_identifiers) {
+    constexpr std::string_view node = "[DeviceComissioning]\nNodeID=5\n";
+    const std::string mapped = fmt::format("{}[1A00sub1]\nParameterValue=0x20020010\n", node);
+    EXPECT_EQ(test::count_of(checked_with(mapped), rules::eds_mapped_absent), 1U);
+    const std::string meeting = fmt::format("{}[1800sub1]\nParameterValue=0x205\n", node);
+    EXPECT_EQ(test::count_of(checked_with(meeting), rules::eds_cob_id_twice), 1U);
+    const std::string used = fmt::format("{}[1A00sub0]\nParameterValue=6\n", node);
+    EXPECT_EQ(test::count_of(checked_with(used), rules::eds_mapped_count), 1U);
+}
+
+TEST(ModuleChecks, find_a_module_that_is_counted_and_one_that_is_not) {
+    const auto lines = [](unsigned count) {
+        return fmt::format("[SupportedModules]\nNrOfEntries={}\n[M2ModuleInfo]\nProductName=Inputs\n", count);
+    };
+    EXPECT_EQ(test::count_of(checked_with(lines(2)), rules::eds_module), 1U);
+    EXPECT_EQ(test::count_of(checked_with(lines(1)), rules::eds_module), 2U);
+    EXPECT_EQ(test::count_of(checked_with(lines(1'000'000)), rules::eds_module), 1U);
+}
+
 TEST(IdentifierChecks, pass_over_pdos_that_are_off) {
     const std::string off = "[1800sub1]\nDefaultValue=$NODEID+0x80000200\n";
     EXPECT_EQ(test::as_lines(checked_with(off)), "");

@@ -71,9 +71,13 @@ Value RandomDictionary::value(const TypeRow& type) {
         case TypeKind::real:
             result.number = number(type.bits);
             break;
-        default:
+        case TypeKind::integer:
+        case TypeKind::natural:
             result.number = number(type.bits);
             result.node_id_relative = type.bits >= 32 && rarely();
+            break;
+        default:
+            result.number = number(type.bits);
     }
     return result;
 }

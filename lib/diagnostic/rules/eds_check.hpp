@@ -79,7 +79,12 @@
     RULE(eds_cob_id_form) \
     RULE(eds_node_id_absent) \
     RULE(eds_sdo_server) \
-    RULE(eds_heartbeat_consumer)
+    RULE(eds_heartbeat_consumer) \
+    RULE(eds_sub_object_type) \
+    RULE(eds_module) \
+    RULE(eds_object_link) \
+    RULE(eds_commissioning_absent) \
+    RULE(eds_domain_default)
 // clang-format on
 
 namespace cgw::diagnostic::rules {

@@ -78,11 +78,11 @@ const Rule eds_heartbeat_consumer{
     .code = "E0894",
     .name = "eds-heartbeat-consumer",
     .level = Level::warning,
-    .summary = "a heartbeat is watched of a node from 1 to 127, and not of the own one",
+    .summary = "a heartbeat is watched of a node from 1 to 127, once, and not of the own one",
     .reference = "CiA 301",
     .why =
-        "The node stands in bits 16 to 23 of 1016h, the time in ms below. The device refuses the value or "
-        "waits for a node that does not exist.",
+        "The node stands in bits 16 to 23 of 1016h, the time in ms below. The device refuses the value, or a "
+        "second one for the same node, or waits for a node that does not exist.",
     .example = Example::data_sheet_lines,
     .bad =
         "[1016sub1]\n"
