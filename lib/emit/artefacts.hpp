@@ -17,6 +17,8 @@ base::Bytes emit_pdo_table(const Plant& plant, const Options& options);
 base::Bytes emit_entry_sheet(const Plant& plant, const Options& options);
 base::Bytes emit_image(const Plant& plant, const Options& options);
 base::Bytes emit_image_source(const Plant& plant, const Options& options);
+base::Bytes emit_c_header(const Plant& plant, const Options& options);
+base::Bytes emit_points(const Plant& plant, const Options& options);
 
 std::span<const Format> pdo_table_formats();
 std::span<const Format> entry_sheet_formats();

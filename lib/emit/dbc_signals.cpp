@@ -1,77 +1,11 @@
 // The signals of the plant's frames in the words of a CAN database.
-#include <fmt/format.h>
-
-#include "base/canopen_text.hpp"
 #include "dictionary/ascii.hpp"
 #include "emit/dbc_parts.hpp"
+#include "signals/comment.hpp"
 
 namespace cgw::emit {
-namespace {
 
-using signals::Kind;
-using signals::Signal;
-
-std::string object_text(const Signal& signal) {
-    return base::object_text(signal.index, signal.sub_index);
-}
-
-std::string labels_of(const std::vector<signals::Source>& sources) {
-    std::string text;
-    for (const signals::Source& source : sources) {
-        text += (text.empty() ? "" : ", ") + source.label();
-    }
-    return text;
-}
-
-std::string error_comment(const Signal& signal) {
-    std::string comment = fmt::format("{}, {}", signal.number, object_text(signal));
-    for (const signals::Source& source : signal.sources) {
-        comment += fmt::format("; {} {}", parameter::to_text(source.device), source.name);
-    }
-    return comment + "; 1: the error is present";
-}
-
-std::string switch_comment(const Signal& signal) {
-    std::string comment = fmt::format("{} bit {}", object_text(signal), signal.object_bit + 1);
-    for (const signals::Source& source : signal.sources) {
-        comment += fmt::format("; {}, {}", source.label(),
-                               source.low_active ? "low-active: 0 is on" : "high-active: 1 is on");
-    }
-    return comment;
-}
-
-std::string sensor_comment(const Signal& signal) {
-    std::string comment =
-        fmt::format("channel {}, {}: {}", signal.channel, object_text(signal), labels_of(signal.sources));
-    if (!signal.scaled_as.empty()) {
-        comment += "; shown by " + labels_of(signal.scaled_as);
-    }
-    return comment;
-}
-
-std::string comment_of(const Signal& signal) {
-    switch (signal.kind) {
-        case Kind::error:
-            return error_comment(signal);
-        case Kind::engine_state:
-            return fmt::format("{} bit {}; its meaning depends on the governor and is not printed",
-                               object_text(signal), signal.object_bit + 1);
-        case Kind::switch_function:
-            return switch_comment(signal);
-        case Kind::sensor_flag:
-            return fmt::format("{} bit {}, error flag of channel {}: {}; 1: faulty", object_text(signal),
-                               signal.object_bit + 1, signal.channel, labels_of(signal.sources));
-        case Kind::measurement:
-            return fmt::format("{}, {}", labels_of(signal.sources), object_text(signal));
-        case Kind::sensor:
-            break;
-    }
-    return sensor_comment(signal);
-}
-
-}  // namespace
-
-dbc::Signal dbc_signal(const Signal& from) {
+dbc::Signal dbc_signal(const signals::Signal& from) {
     dbc::Signal signal;
     signal.name = from.name;
     signal.start_bit = from.first_bit;
@@ -81,7 +15,7 @@ dbc::Signal dbc_signal(const Signal& from) {
     signal.offset = from.offset;
     signal.minimum = from.minimum;
     signal.maximum = from.maximum;
-    signal.comment = comment_of(from);
+    signal.comment = signals::comment_of(from);
     if (!from.is_bit() && !from.scaled) {
         signal.comment += "; raw number, its scaling is not known";
     } else if (dictionary::has_ascii_form(from.unit)) {

@@ -2,10 +2,10 @@
 // for, so that none is typed into the other one.
 #include <fmt/format.h>
 
+#include "base/columns.hpp"
 #include "base/sheet_words.hpp"
 #include "base/text_cells.hpp"
 #include "emit/artefacts.hpp"
-#include "emit/columns.hpp"
 #include "emit/renderings.hpp"
 #include "emit/sheet_rows.hpp"
 
@@ -50,7 +50,7 @@ struct CsvLine {
     const SheetRow& row;
 };
 
-constexpr Column<CsvLine> csv_columns[] = {
+constexpr base::Column<CsvLine> csv_columns[] = {
     {"device", [](const CsvLine& line) { return std::string(parameter::to_text(line.device)); }},
     {"number", [](const CsvLine& line) { return fmt::format("{}", line.row.row->number); }},
     {"parameter", [](const CsvLine& line) { return std::string(line.row.row->name); }},
@@ -67,12 +67,12 @@ constexpr Column<CsvLine> csv_columns[] = {
 
 // Each parameter once: first what differs from the default, then the rest.
 std::string render_sheet_csv(const EntrySheet& sheet) {
-    constexpr std::span<const Column<CsvLine>> columns = csv_columns;
-    std::string text = csv_heading(columns);
+    constexpr std::span<const base::Column<CsvLine>> columns = csv_columns;
+    std::string text = base::csv_heading(columns);
     for (const DeviceSheet& device : sheet.devices) {
         for (const bool differs : {true, false}) {
             for (const SheetRow& row : device.rows) {
-                text += row.differs == differs ? csv_line(columns, {sheet, device.device, row}) : "";
+                text += row.differs == differs ? base::csv_line(columns, {sheet, device.device, row}) : "";
             }
         }
     }

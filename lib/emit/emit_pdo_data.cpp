@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 #include <algorithm>
 
+#include "base/columns.hpp"
 #include "base/json.hpp"
-#include "emit/columns.hpp"
 #include "emit/pdo_rows.hpp"
 
 namespace cgw::emit {
@@ -97,7 +97,7 @@ std::string decimal(unsigned number) {
     return fmt::format("{}", number);
 }
 
-constexpr Column<CsvLine> csv_columns[] = {
+constexpr base::Column<CsvLine> csv_columns[] = {
     {"pdo", [](const CsvLine& line) { return line.row.name; }},
     {"direction", [](const CsvLine& line) { return std::string(to_text(line.pdo().direction)); }},
     {"cob_id", [](const CsvLine& line) { return fmt::format("0x{:03X}", line.pdo().cob_id); }},
@@ -137,11 +137,11 @@ std::string render_json(const PdoTable& table) {
 
 // One line per mapped word, lines end with LF; inactive PDOs have none.
 std::string render_csv(const PdoTable& table) {
-    constexpr std::span<const Column<CsvLine>> columns = csv_columns;
-    std::string text = csv_heading(columns);
+    constexpr std::span<const base::Column<CsvLine>> columns = csv_columns;
+    std::string text = base::csv_heading(columns);
     for (const PdoRow& row : table.rows) {
         for (const WordRow& word : row.words) {
-            text += csv_line(columns, {table, row, word});
+            text += base::csv_line(columns, {table, row, word});
         }
     }
     return text;

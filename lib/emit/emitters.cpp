@@ -20,6 +20,9 @@ constexpr std::array image_formats{Format{"bin", default_image_file},
 constexpr std::array image_source_formats{Format{"cpp", "", false, image_options},
                                           Format{"h", "", false, image_options},
                                           Format{"asm", "", false, assembler_options}};
+// The partner's programs have build directories of their own: on demand only.
+constexpr std::array c_header_formats{Format{"h", ""}};
+constexpr std::array points_formats{Format{"csv", ""}};
 constexpr std::array<std::string_view, 2> eds_options{"--generic", "--eds-name"};
 constexpr std::array<std::string_view, 1> named_options{"--eds-name"};
 constexpr std::array<std::string_view, 3> image_source_options{"--section", "--align", "--symbol"};
@@ -54,6 +57,10 @@ std::span<const Emitter> all_emitters() {
                 image_formats, emit_image, image_options},
         Emitter{"image-source", "the configuration image as C++ source, C header or assembler source",
                 image_source_formats, emit_image_source, image_source_options},
+        Emitter{"c-header", "for the partner's program: PDOs and scaling in C99 and C++", c_header_formats,
+                emit_c_header},
+        Emitter{"points", "for the partner's program: list of points for SCADA systems", points_formats,
+                emit_points},
     };
     return emitters;
 }

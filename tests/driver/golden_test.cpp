@@ -45,6 +45,20 @@ TEST_P(Golden, text_table_is_unchanged_and_fits_80_columns) {
     }
 }
 
+// What build leaves out, for the partner's program: golden/<sample>/partner/.
+TEST_P(Golden, partners_half_is_unchanged) {
+    constexpr std::pair<std::string_view, std::string_view> files[] = {{"c-header", "partner.h"},
+                                                                       {"points", "points.csv"}};
+    const CheckedFile file = sample(GetParam());
+    ASSERT_TRUE(file.valid());
+    const auto plant = Plant::make(file);
+    for (const auto& [emitter, name] : files) {
+        const base::Bytes bytes = emit::find_emitter(emitter)->emit(plant->view(), {});
+        test::expect_golden("golden/" + GetParam() + "/partner/" + std::string(name),
+                            std::string(bytes.begin(), bytes.end()));
+    }
+}
+
 INSTANTIATE_TEST_SUITE_P(Samples, Golden, testing::Values("minimal", "genset", "manual-example"),
                          [](const auto& instance) {
                              std::string name = instance.param;

@@ -1,4 +1,4 @@
-// Inside the emit room: the columns of a CSV table, each heading beside what stands below it.
+// The columns of a CSV table, each heading beside what stands below it.
 #pragma once
 
 #include <span>
@@ -7,7 +7,7 @@
 
 #include "base/text_cells.hpp"
 
-namespace cgw::emit {
+namespace cgw::base {
 
 template <typename Line>
 struct Column {
@@ -20,7 +20,7 @@ std::string csv_heading(std::span<const Column<Line>> columns) {
     std::string text;
     for (const Column<Line>& column : columns) {
         text += text.empty() ? "" : ",";
-        text += base::csv_field(column.heading);
+        text += csv_field(column.heading);
     }
     return text + '\n';
 }
@@ -30,9 +30,9 @@ std::string csv_line(std::span<const Column<Line>> columns, const Line& line) {
     std::string text;
     for (const Column<Line>& column : columns) {
         text += &column == &columns.front() ? "" : ",";
-        text += base::csv_field(column.cell(line));
+        text += csv_field(column.cell(line));
     }
     return text + '\n';
 }
 
-}  // namespace cgw::emit
+}  // namespace cgw::base
