@@ -9,7 +9,6 @@
 #include "cli/cgw/terminal.hpp"
 #include "cli/cgw/verbs.hpp"
 #include "convert/formats.hpp"
-#include "convert/unread.hpp"
 
 namespace cgw::cli {
 namespace {
@@ -44,8 +43,9 @@ constexpr std::string_view convert_details =
     "An EDS or XDD becomes the DCF or XDC of one node with --node-id: formulas with\n"
     "$NODEID are resolved, and objects that no PDO carries get their defaults as\n"
     "values. What the new format cannot hold is told on standard error, with how\n"
-    "often it was there; docs/conversions.md lists it. Vendors' own sections and\n"
-    "keys, and comment lines, are not carried over.\n"
+    "often it was there; docs/conversions.md lists it. So is what is not carried\n"
+    "over: vendors' own sections and keys, comments, elements of an XDD that are of\n"
+    "no object. EDS, XDD, JSON and tables refuse --node-id.\n"
     "A concise DCF has those objects that can be written and whose value is not\n"
     "their default, PDOs in the order in which a device lets itself be changed.\n";
 
@@ -77,21 +77,22 @@ void refuse_kind(const driver::DeviceDescription& description) {
 }
 
 void tell_unread(const driver::DeviceDescription& description) {
-    constexpr std::size_t most_names = 6;
-    const auto source = description.sources.find(description.path);
-    const bool has_sections = description.kind == DescriptionKind::data_sheet ||
-                              description.kind == DescriptionKind::configuration_file;
-    if (!has_sections || source == description.sources.end()) {
-        return;
+    constexpr std::size_t most_told = 20;
+    const std::size_t told = std::min(description.unread.size(), most_told);
+    for (std::size_t i = 0; i < told; ++i) {
+        const convert::Unread& each = description.unread[i];
+        const bool is_one_section = each.count == 1 && each.what.starts_with('[');
+        fmt::print(stderr, "not carried over: {}{}\n", each.what,
+                   is_one_section ? "" : fmt::format(" ({})", each.count));
     }
-    std::vector<std::string> names = convert::sections_not_read(source->second);
-    if (names.empty()) {
-        return;
+    if (told < description.unread.size()) {
+        std::size_t more = 0;
+        for (std::size_t i = told; i < description.unread.size(); ++i) {
+            more += description.unread[i].count;
+        }
+        fmt::print(stderr, "not carried over: {} others of {} more kinds\n", more,
+                   description.unread.size() - told);
     }
-    const std::size_t count = names.size();
-    names.resize(std::min(count, most_names));
-    fmt::print(stderr, "not carried over: {}{}\n", fmt::join(names, " "),
-               count > most_names ? fmt::format(" and {} more sections", count - most_names) : "");
 }
 
 void tell_losses(const convert::Product& product, const convert::Format& format) {

@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include "cli/cgw/description_input.hpp"
 #include "cli/cgw/exit_codes.hpp"
 #include "cli/cgw/shared_options.hpp"
@@ -48,6 +50,23 @@ dictionary::Side side_of(const driver::DeviceDescription& description) {
             .bare = description.kind == driver::DescriptionKind::image};
 }
 
+// A number that would change nothing, or contradicts a file, is a slip.
+void refuse_node_id(const std::optional<std::uint8_t>& node_id, const driver::DeviceDescription& a,
+                    const driver::DeviceDescription& b) {
+    if (!node_id) {
+        return;
+    }
+    if (a.node_id && b.node_id) {
+        throw UsageError("--node-id is for files that state no node number; both state theirs");
+    }
+    for (const driver::DeviceDescription* const side : {&a, &b}) {
+        if (side->node_id && *side->node_id != *node_id) {
+            throw UsageError(
+                fmt::format("{} is about node {}; leave --node-id out", side->path, *side->node_id));
+        }
+    }
+}
+
 int eds_diff(const Arguments& arguments) {
     if (arguments.value("A") == "-" && arguments.value("B") == "-") {
         throw UsageError("standard input (-) can be read only once");
@@ -59,6 +78,7 @@ int eds_diff(const Arguments& arguments) {
     if (!a.valid() || !b.valid()) {
         return exit_code;
     }
+    refuse_node_id(options.node_id, a, b);
     const dictionary::Differences found = differences(side_of(a), side_of(b), options);
     for (const dictionary::DifferenceFormat& format : dictionary::difference_formats()) {
         if (format.name == arguments.value("--format") &&

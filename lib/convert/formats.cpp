@@ -6,8 +6,10 @@
 #include <array>
 
 #include "base/ascii.hpp"
+#include "base/canopen_text.hpp"
 #include "convert/concise_dcf.hpp"
 #include "convert/writing.hpp"
+#include "dictionary/data_types.hpp"
 #include "dictionary/node.hpp"
 #include "eds/writer.hpp"
 #include "xdd/writer.hpp"
@@ -70,6 +72,40 @@ dictionary::Commissioning new_node(const Dictionary& dictionary, std::uint8_t no
     return node;
 }
 
+std::uint64_t highest_of(const dictionary::TypeRow& type) {
+    if (type.kind == dictionary::TypeKind::boolean) {
+        return 1;
+    }
+    const std::uint64_t highest = ~std::uint64_t{0} >> (64U - std::clamp(type.bits, 1U, 64U));
+    return type.kind == dictionary::TypeKind::integer ? highest >> 1U : highest;
+}
+
+bool overflows(const dictionary::Variable& variable, std::uint8_t node_id) {
+    const std::uint64_t highest = highest_of(dictionary::row_of(variable.type));
+    const auto is_too_large = [&](const dictionary::Value& value) {
+        return value.node_id_relative && (node_id > highest || value.number > highest - node_id);
+    };
+    const auto any = [&](const std::optional<dictionary::Value>& value) {
+        return value && is_too_large(*value);
+    };
+    return is_too_large(variable.default_value) || any(variable.low_limit) || any(variable.high_limit) ||
+           any(variable.parameter_value);
+}
+
+// What is wrong with the first formula that makes too large a number for its type; "" for none.
+std::string overflow(const Dictionary& dictionary, std::uint8_t node_id) {
+    for (const dictionary::Object& object : dictionary.objects) {
+        for (const dictionary::Variable& variable : object.variables) {
+            if (overflows(variable, node_id)) {
+                return fmt::format("{}: a formula with $NODEID makes too large a number for {} in node {}",
+                                   base::object_text(object.index, variable.sub_index),
+                                   dictionary::row_of(variable.type).name, node_id);
+            }
+        }
+    }
+    return "";
+}
+
 // The description of a kind of device becomes that of one node of it.
 base::Result<void> make_node(Description& description, const Request& request, Product& product) {
     if (!description.node) {
@@ -83,6 +119,9 @@ base::Result<void> make_node(Description& description, const Request& request, P
                             request.format.name));
         }
         description.node = new_node(description.dictionary, *request.node_id);
+        if (std::string why = overflow(description.dictionary, *request.node_id); !why.empty()) {
+            return base::failure(std::move(why));
+        }
         product.resolved = count_relative(description.dictionary);
         description.dictionary = dictionary::of_node(std::move(description.dictionary), *request.node_id);
     } else if (description.node->node_id == 0 && !request.node_id) {
@@ -92,6 +131,9 @@ base::Result<void> make_node(Description& description, const Request& request, P
         description.node->node_id = *request.node_id;
     }
     product.node_id = description.node->node_id;
+    if (std::string why = overflow(description.dictionary, product.node_id); !why.empty()) {
+        return base::failure(std::move(why));
+    }
     return {};
 }
 
@@ -122,6 +164,12 @@ base::Result<Product> convert(Description description, const Request& request) {
     if (has_node && request.node_id && *request.node_id != description.node->node_id) {
         return base::failure(
             fmt::format("the file is about node {}; leave --node-id out", description.node->node_id));
+    }
+    if (request.format.about != About::node && request.node_id) {
+        return base::failure(fmt::format(
+            "--node-id is for formats that are about one node, dcf, xdc and concise-dcf; {} keeps $NODEID as "
+            "it stands",
+            request.format.name));
     }
     if (request.format.about == About::node) {
         if (const auto made = make_node(description, request, product); !made) {

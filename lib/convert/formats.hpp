@@ -43,7 +43,8 @@ struct Product {
     std::uint8_t node_id = 0;  // for which they are resolved
 };
 
-// A failure says what the description lacks for that format.
+// A failure says what the description lacks for that format, or that the node number does not fit: the format
+// has no use for it, the description states another one, or a formula with it makes too large a number.
 base::Result<Product> convert(Description description, const Request& request);
 
 }  // namespace cgw::convert

@@ -103,25 +103,50 @@ void each_text(Description& description, Visit visit) {
     }
 }
 
-// Strings that objects hold. An empty one is no value.
+// Visits variables that hold strings.
+template <typename Visit>
+void each_string_variable(Description& description, Visit visit) {
+    each_variable(description, [&](Variable& variable) {
+        const dictionary::TypeKind kind = dictionary::row_of(variable.type).kind;
+        if (kind == dictionary::TypeKind::visible_string || kind == dictionary::TypeKind::unicode_string) {
+            visit(variable);
+        }
+    });
+}
+
+std::array<std::optional<Value>*, 3> stated_values(Variable& variable) {
+    return {&variable.low_limit, &variable.high_limit, &variable.parameter_value};
+}
+
 std::size_t change_strings(Description& description, std::string (*changed)(std::string_view)) {
     std::size_t count = 0;
     const auto change = [&](Value& value) {
         std::string text = changed(value.bytes);
         count += text != value.bytes ? 1U : 0U;
         value.bytes = std::move(text);
-        return !value.bytes.empty();
     };
-    each_variable(description, [&](Variable& variable) {
-        const dictionary::TypeKind kind = dictionary::row_of(variable.type).kind;
-        if (kind != dictionary::TypeKind::visible_string && kind != dictionary::TypeKind::unicode_string) {
-            return;
+    each_string_variable(description, [&](Variable& variable) {
+        change(variable.default_value);
+        for (std::optional<Value>* const value : stated_values(variable)) {
+            if (*value) {
+                change(**value);
+            }
         }
-        variable.no_default = !change(variable.default_value);
-        for (std::optional<Value>* const value :
-             {&variable.low_limit, &variable.high_limit, &variable.parameter_value}) {
-            if (*value && !change(**value)) {
+    });
+    return count;
+}
+
+std::size_t lose_empty_strings(Description& description) {
+    std::size_t count = 0;
+    each_string_variable(description, [&](Variable& variable) {
+        if (!variable.no_default && variable.default_value.bytes.empty()) {
+            variable.no_default = true;
+            ++count;
+        }
+        for (std::optional<Value>* const value : stated_values(variable)) {
+            if (*value && (*value)->bytes.empty()) {
                 value->reset();
+                ++count;
             }
         }
     });
@@ -247,6 +272,7 @@ std::span<const LossRow> loss_rows() {
                 in_sections, lose_wide_texts},
         LossRow{"in strings that objects hold: line ends, and blanks at the ends", in_sections,
                 lose_line_ends},
+        LossRow{"empty strings that objects hold, which become no value", in_sections, lose_empty_strings},
     };
     return rows;
 }

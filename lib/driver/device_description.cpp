@@ -70,6 +70,7 @@ base::Result<void> take_parameter_file(DeviceDescription& description, std::stri
 }
 
 void take_data_sheet(DeviceDescription& description, std::string text) {
+    description.unread = convert::unread_of_sections(text);
     DataSheet file = read_data_sheet_text(description.path, std::move(text));
     description.dictionary = std::move(file.sheet->dictionary);
     description.commissioning = std::move(file.sheet->commissioning);
@@ -84,6 +85,7 @@ void take_data_sheet(DeviceDescription& description, std::string text) {
 void take_xml(DeviceDescription& description, std::string text) {
     xdd::Sheet sheet = xdd::read(text, description.path, description.findings);
     description.findings.sort();
+    description.unread = std::move(sheet.unread);
     description.sources.emplace(description.path, std::move(text));
     description.kind =
         sheet.commissioning ? DescriptionKind::xml_configuration : DescriptionKind::xml_description;

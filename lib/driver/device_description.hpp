@@ -6,8 +6,10 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "base/result.hpp"
+#include "convert/unread.hpp"
 #include "diagnostic/diagnostic.hpp"
 #include "dictionary/dictionary.hpp"
 
@@ -40,7 +42,8 @@ struct DeviceDescription {
     std::string configuration_id;         // 16 digits; of a parameter file and an image
     diagnostic::Findings findings;        // sorted by place
     std::map<std::string, std::string> sources;
-    bool unreadable = false;  // exit code 3
+    std::vector<convert::Unread> unread;  // of an EDS, DCF, XDD or XDC: what the dictionary does not hold
+    bool unreadable = false;              // exit code 3
 
     // The dictionary holds all that the file says.
     bool valid() const { return !unreadable && !findings.has_errors(); }

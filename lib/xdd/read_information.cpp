@@ -125,8 +125,9 @@ void read_bit_rates(Source& source, const Parts& parts, std::vector<unsigned>& r
                 return;
             }
         }
-        source.report(diagnostic::rules::xdd_value, each, value,
-                      fmt::format("{}, which is no bit rate that an EDS can state", quoted(value)));
+        source.report(
+            diagnostic::rules::xdd_bit_rate, each, value,
+            fmt::format("{}, which is none of the bit rates of CANopen; it is left out", quoted(value)));
     });
     std::sort(rates.begin(), rates.end());
     rates.erase(std::unique(rates.begin(), rates.end()), rates.end());

@@ -106,4 +106,14 @@ const dictionary::TypeRow* Parameters::type(pugi::xml_node parameter) const {
     return own != nullptr ? own : type_in(template_of(parameter), 0);
 }
 
+bool Parameters::is_bit_string(pugi::xml_node parameter) const {
+    return Source::child(parameter, type_without_width) ||
+           Source::child(template_of(parameter), type_without_width);
+}
+
+bool Parameters::names_type(pugi::xml_node parameter) const {
+    return Source::child(parameter, "dataTypeIDRef") ||
+           Source::child(template_of(parameter), "dataTypeIDRef");
+}
+
 }  // namespace cgw::xdd

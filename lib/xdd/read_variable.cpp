@@ -58,13 +58,22 @@ class VariableReader {
             if (of_parameter == nullptr && code == ObjectCode::domain) {
                 return &dictionary::row_of(object::DataType::domain);
             }
-            if (of_parameter == nullptr && *attribute.value() == '\0') {
-                source_.report(
-                    rules::xdd_absent, here.object,
-                    fmt::format("{} has no data type, and neither has a parameter of it; it is left out",
-                                element_name(here.object)));
+            if (of_parameter != nullptr || *attribute.value() != '\0') {
+                return of_parameter;
             }
-            return of_parameter;
+            const bool has_lost_parameter = here.object.attribute("uniqueIDRef") && !here.parameter;
+            if (has_lost_parameter || parameters_.names_type(here.parameter)) {
+                source_.report(rules::xdd_absent, here.object,
+                               fmt::format("{} has no data type that stands in the file; it is left out",
+                                           element_name(here.object)));
+                return nullptr;
+            }
+            source_.report(rules::xdd_no_type, here.object,
+                           fmt::format("{} {}; it is read as DOMAIN", element_name(here.object),
+                                       parameters_.is_bit_string(here.parameter)
+                                           ? "is a BITSTRING, which has no length, and states no dataType"
+                                           : "has no data type, and neither has a parameter of it"));
+            return &dictionary::row_of(object::DataType::domain);  // D74
         }
         const TypeRow* const type = dictionary::find_type(*number);
         if (type == nullptr) {

@@ -42,6 +42,12 @@ constexpr std::array foreign_roots{
     Foreign{"OpenEDSProject", "this is a project of several devices; each of them needs a file of its own"},
 };
 
+// With a byte order mark, or < in two bytes at the beginning.
+bool is_utf_16(std::string_view text) {
+    return text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF") ||
+           text.starts_with(std::string_view("<\0", 2)) || text.starts_with(std::string_view("\0<", 2));
+}
+
 // False after a finding.
 bool judge_bytes(std::string_view text, const std::string& path, diagnostic::Findings& findings) {
     const auto refuse = [&](std::string_view message) {
@@ -51,7 +57,7 @@ bool judge_bytes(std::string_view text, const std::string& path, diagnostic::Fin
     if (text.size() > largest_text) {
         return refuse(fmt::format("the file has more than {} MiB", largest_text / 1024 / 1024));
     }
-    if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF")) {
+    if (is_utf_16(text)) {
         return refuse("the file is UTF-16; save it as UTF-8");
     }
     if (text.find('\0') != std::string_view::npos) {
@@ -113,6 +119,11 @@ Parts parts_of(pugi::xml_node root) {
 
 bool is_xml(std::string_view text) {
     text.remove_prefix(text.starts_with(byte_order_mark) ? byte_order_mark.size() : 0);
+    if (is_utf_16(text)) {
+        const bool has_mark = text.front() != '<' && text.front() != '\0';
+        const std::string_view first = text.substr(has_mark ? 2 : 0, 2);
+        return first.find('<') != std::string_view::npos;
+    }
     return base::trimmed(text, " \t\r\n").starts_with('<');
 }
 
@@ -136,6 +147,7 @@ Sheet read(std::string_view text, const std::string& path, diagnostic::Findings&
     sheet.dictionary.objects = read_objects(source, parts, parameters);
     read_information(source, parts, sheet.dictionary);
     sheet.commissioning = read_commissioning(source, parts);
+    sheet.unread = find_unread(source.root());
     source.finish();
     return sheet;
 }

@@ -13,9 +13,11 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "diagnostic/diagnostic.hpp"
 #include "dictionary/dictionary.hpp"
+#include "xdd/unread.hpp"
 
 namespace cgw::xdd {
 
@@ -28,12 +30,13 @@ inline constexpr std::size_t most_findings = 100;
 struct Sheet {
     dictionary::Dictionary dictionary;
     std::optional<dictionary::Commissioning> commissioning;  // of an XDC
+    std::vector<Unread> unread;                              // what the dictionary has no place for
 };
 
 // `path` as the findings are to name the file.
 Sheet read(std::string_view text, const std::string& path, diagnostic::Findings& findings);
 
-// True when these bytes begin like XML: a reader of EDS files has no use for them.
+// True when these bytes begin like XML, in UTF-8 or UTF-16: a reader of EDS files has no use for them.
 bool is_xml(std::string_view text);
 
 }  // namespace cgw::xdd

@@ -32,6 +32,9 @@ class Parameters {
     // Nothing for a parameter without a type that is a data type of CANopen by itself, BITSTRING above all.
     const dictionary::TypeRow* type(pugi::xml_node parameter) const;
 
+    bool is_bit_string(pugi::xml_node parameter) const;
+    bool names_type(pugi::xml_node parameter) const;  // by a dataTypeIDRef, whether it can be read or not
+
   private:
     pugi::xml_node template_of(pugi::xml_node parameter) const;
     pugi::xml_node find(const char* id) const;
@@ -58,6 +61,9 @@ std::optional<dictionary::Variable> read_variable(Source& source, const Paramete
                                                   const Element& here, object::ObjectCode code);
 
 std::vector<dictionary::Object> read_objects(Source& source, const Parts& parts, Parameters& parameters);
+
+// find_unread.cpp: elements by name, then attributes by name, then comments.
+std::vector<Unread> find_unread(pugi::xml_node root);
 
 // The text of the first `label` of an element; "" when it has none.
 std::string label_of(pugi::xml_node element);

@@ -47,7 +47,7 @@ Source::Source(std::string_view text, const std::string& path, diagnostic::Findi
 }
 
 bool Source::parse() {
-    constexpr unsigned options = pugi::parse_default | pugi::parse_doctype;
+    constexpr unsigned options = pugi::parse_default | pugi::parse_doctype | pugi::parse_comments;
     const pugi::xml_parse_result result =
         document_.load_buffer(text_.data(), text_.size(), options, pugi::encoding_utf8);
     if (!result) {

@@ -55,6 +55,7 @@ class Source {
     std::optional<std::uint64_t> hexadecimal(pugi::xml_node element, const char* attribute,
                                              std::uint64_t highest);
     std::optional<bool> flag(pugi::xml_node element, const char* attribute);
+    // A string may be empty.
     std::optional<dictionary::Value> value(pugi::xml_node element, const char* attribute,
                                            const dictionary::TypeRow& type);
 

@@ -162,7 +162,8 @@ std::optional<Value> Source::value(pugi::xml_node element, const char* name, con
     const pugi::xml_attribute attribute = element.attribute(name);
     const std::string_view text = attribute.value();
     const bool is_string = type.kind == TypeKind::visible_string || type.kind == TypeKind::unicode_string;
-    if ((is_string ? text : base::trimmed(text, blanks)).empty() || type.kind == TypeKind::structure) {
+    const bool is_stated = is_string ? !attribute.empty() : !base::trimmed(text, blanks).empty();
+    if (!is_stated || type.kind == TypeKind::structure) {
         return std::nullopt;
     }
     switch (type.kind) {

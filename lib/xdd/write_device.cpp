@@ -72,9 +72,8 @@ std::string_view type_element(object::DataType type) {
 
 void value_element(XmlPrinter& out, std::string_view element, const dictionary::Value& value,
                    const dictionary::TypeRow& type) {
-    const std::string text = eds::value_text(value, type);
-    if (!text.empty()) {
-        out.empty(element, {{"value", text}});
+    if (const auto text = written(value, type)) {
+        out.empty(element, {{"value", *text}});
     }
 }
 

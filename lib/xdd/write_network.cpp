@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include "dictionary/data_types.hpp"
-#include "eds/value_text.hpp"
 #include "eds/words.hpp"
 #include "xdd/words.hpp"
 #include "xdd/writing.hpp"
@@ -35,8 +34,8 @@ void add_flags(Attributes& attributes, std::uint32_t flags) {
 
 void add_value(Attributes& attributes, std::string_view name, const std::optional<dictionary::Value>& value,
                const dictionary::TypeRow& type) {
-    if (value) {
-        add(attributes, name, eds::value_text(*value, type));
+    if (const auto text = value ? written(*value, type) : std::nullopt) {
+        attributes.push_back({name, *text});
     }
 }
 
@@ -50,7 +49,7 @@ void add_variable(Attributes& attributes, const Object& object, const Variable& 
         attributes.push_back({"accessType", std::string(access_words.at(access).object)});
     }
     if (!variable.no_default) {
-        add(attributes, "defaultValue", eds::value_text(variable.default_value, type));
+        add_value(attributes, "defaultValue", variable.default_value, type);
     }
     if (of_node) {
         add_value(attributes, "actualValue", variable.parameter_value, type);

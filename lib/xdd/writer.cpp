@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "eds/value_text.hpp"
 #include "xdd/dates.hpp"
 #include "xdd/words.hpp"
 #include "xdd/writing.hpp"
@@ -54,6 +55,13 @@ std::string write_all(const Dictionary& dictionary, const Commissioning* node) {
 }
 
 }  // namespace
+
+std::optional<std::string> written(const dictionary::Value& value, const dictionary::TypeRow& type) {
+    std::string text = eds::value_text(value, type);
+    const bool is_string = type.kind == dictionary::TypeKind::visible_string ||
+                           type.kind == dictionary::TypeKind::unicode_string;
+    return text.empty() && !is_string ? std::nullopt : std::optional(std::move(text));
+}
 
 void add(Attributes& attributes, std::string_view name, std::string value) {
     if (!value.empty()) {

@@ -1,6 +1,9 @@
 // Inside the xdd room: the parts of the writer, each in the file of its name.
 #pragma once
 
+#include <optional>
+
+#include "dictionary/data_types.hpp"
 #include "dictionary/dictionary.hpp"
 #include "xdd/xml_printer.hpp"
 
@@ -21,5 +24,9 @@ std::string parameter_id(const dictionary::Object& object, const dictionary::Var
 
 // Adds an attribute unless its value is "".
 void add(Attributes& attributes, std::string_view name, std::string value);
+
+// What a value is written as; nothing where an empty text would say that there is none. An empty string is
+// one.
+std::optional<std::string> written(const dictionary::Value& value, const dictionary::TypeRow& type);
 
 }  // namespace cgw::xdd

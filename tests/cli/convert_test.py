@@ -55,6 +55,33 @@ class Convert(unittest.TestCase):
         self.expect(cgw("convert", DEVICE, "-o", target, "--force"), 0, ["ObjectLinks"])
         self.assertNotEqual(target.read_text(), "mine")
 
+    def test_what_is_not_carried_over_is_told_with_counts(self):
+        text = DEVICE.read_text()
+        odd = self.dir / "odd.eds"
+        odd.write_text("; by hand\n" + text.replace("[1017]\n", "[1017]\nUnit=ms\n", 1).replace("[1017]\r\n", "[1017]\r\nUnit=ms\r\n", 1))
+        self.expect(cgw("convert", odd, "--to", "dcf", "--node-id", 5), 0,
+                    ["not carried over: [Tools]\n", "not carried over: key Unit (1)\n", "not carried over: lines of comment (1)\n"])
+        xml = self.dir / "a.xdd"
+        xml.write_bytes(cgw("convert", DEVICE, "--to", "xdd").stdout.replace(
+            b"</label>", b"</label><description lang=\"en\">d</description>", 3))
+        self.expect(cgw("convert", xml, "--to", "json"), 0, ["not carried over: element description (3)\n"])
+
+    def test_a_node_number_without_use_is_refused(self):
+        self.expect(cgw("convert", DEVICE, "--to", "json", "--node-id", 5), 2, ["--node-id is for formats"])
+        cgw("convert", DEVICE, "-o", self.dir / "a.dcf", "--node-id", 5)
+        cgw("convert", DEVICE, "-o", self.dir / "b.dcf", "--node-id", 6)
+        self.expect(cgw("eds", "diff", self.dir / "a.dcf", self.dir / "b.dcf", "--node-id", 5), 2, ["both state theirs"])
+        self.expect(cgw("eds", "diff", DEVICE, self.dir / "b.dcf", "--node-id", 5), 2, ["is about node 6"])
+        large = self.dir / "large.eds"
+        large.write_text(DEVICE.read_text().replace("$NODEID+0x180", "$NODEID+0xFFFFFFFF"))
+        self.expect(cgw("convert", large, "-o", self.dir / "c.dcf", "--node-id", 5), 2, ["1800h:1: a formula with $NODEID"])
+        self.assertFalse((self.dir / "c.dcf").exists())
+
+    def test_utf_16_is_told(self):
+        wide = self.dir / "wide.xdd"
+        wide.write_bytes(cgw("convert", DEVICE, "--to", "xdd").stdout.decode().encode("utf-16"))
+        self.expect(cgw("convert", wide, "--to", "eds"), 1, ["the file is UTF-16; save it as UTF-8"])
+
     def test_there_and_back_describes_the_same_device(self):
         self.expect(cgw("convert", DEVICE, "-o", self.dir / "a.xdd"), 0, ["ObjectLinks"])
         self.expect(cgw("convert", self.dir / "a.xdd", "-o", self.dir / "b.eds"), 0)

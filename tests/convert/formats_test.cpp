@@ -92,10 +92,72 @@ TEST(ConvertFormats, make_a_concise_dcf_of_the_values_of_a_node) {
     EXPECT_EQ(converted(node, "concise-dcf"), std::string("\1\0\0\0\x17\x10\0\2\0\0\0\xE8\3", 13));
 }
 
-TEST(SectionsNotRead, are_those_that_mean_nothing_to_cgw) {
-    EXPECT_EQ(sections_not_read("[FileInfo]\n[Tools]\n[1000]\n[1018sub1]\n[Vendor\x1B]\n[DynamicChannels]\n"),
-              (std::vector<std::string>{"[Tools]", "[Vendor?]", "[DynamicChannels]"}));
-    EXPECT_TRUE(sections_not_read("").empty());
+TEST(ConvertFormats, refuse_a_node_number_that_has_no_use) {
+    for (const std::string format : {"eds", "xdd", "json", "md", "csv"}) {
+        EXPECT_EQ(converted(io_device(), format, 5),
+                  "--node-id is for formats that are about one node, dcf, xdc and concise-dcf; " + format +
+                      " keeps $NODEID as it stands");
+    }
+}
+
+TEST(ConvertFormats, refuse_a_formula_that_makes_too_large_a_number) {
+    const struct {
+        object::DataType type;
+        std::uint64_t number;
+        bool fits;
+    } cases[] = {
+        {object::DataType::unsigned32, 0xFFFFFFF0, true},
+        {object::DataType::unsigned32, 0xFFFFFFF1, false},
+        {object::DataType::unsigned8, 0xF0, true},
+        {object::DataType::unsigned8, 0xF1, false},
+        {object::DataType::unsigned16, 0xFFF1, false},
+        {object::DataType::boolean, 1, false},
+        {object::DataType::unsigned64, ~std::uint64_t{15}, true},
+        {object::DataType::unsigned64, ~std::uint64_t{14}, false},
+    };
+    for (const auto& each : cases) {
+        Description device = io_device();
+        dictionary::Object& object = device.dictionary.objects.front();
+        object.variables.front().type = each.type;
+        object.variables.front().default_value = {each.number, true};
+        object.variables.front().low_limit.reset();
+        object.variables.front().high_limit.reset();
+        const std::string made = converted(device, "dcf", 15);
+        EXPECT_EQ(made.find("too large a number") == std::string::npos, each.fits) << each.number << made;
+        Description node = io_device();
+        node.node.emplace().node_id = 15;
+        node.dictionary.objects.front().variables.front().type = each.type;
+        node.dictionary.objects.front().variables.front().parameter_value = {each.number, true};
+        EXPECT_EQ(converted(node, "concise-dcf").find("too large a number") == std::string::npos, each.fits);
+    }
+}
+
+namespace {
+
+std::string told(const std::vector<Unread>& unread) {
+    std::string text;
+    for (const Unread& each : unread) {
+        text += each.what + " " + std::to_string(each.count) + "\n";
+    }
+    return text;
+}
+
+}  // namespace
+
+TEST(UnreadOfSections, are_those_that_mean_nothing_to_cgw) {
+    EXPECT_EQ(
+        told(unread_of_sections(
+            "[FileInfo]\n[Tools]\n[1000]\n[1018sub1]\n[Vendor\x1B]\n[DynamicChannels]\nA=1\n[tools]\n")),
+        "[Tools] 2\n[Vendor?] 1\n[DynamicChannels] 1\n");
+    EXPECT_TRUE(unread_of_sections("").empty());
+}
+
+TEST(UnreadOfSections, have_unknown_keys_and_comments_counted) {
+    EXPECT_EQ(
+        told(unread_of_sections("; by hand\n[FileInfo]\nFileName=a\nAuthor=b\n[1000]\nParameterName=T\n"
+                                "Unit=V\n;x\n[1018sub1]\nunit=A\nFactor=2\nDataType=7\n[Vendor]\nUnit=1\n"
+                                "[OptionalObjects]\n1=0x1000\n[DummyUsage]\nDummy0001=1\n")),
+        "[Vendor] 1\nkey Author 1\nkey Unit 2\nkey Factor 1\nlines of comment 2\n");
 }
 
 }  // namespace cgw::convert

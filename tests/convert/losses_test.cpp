@@ -69,7 +69,8 @@ Description rough(std::uint32_t seed) {
     for (dictionary::Object& object : dictionary.objects) {
         for (dictionary::Variable& variable : object.variables) {
             if (variable.type == object::DataType::visible_string && !variable.no_default) {
-                variable.default_value.bytes = random.below(2) == 0 ? " two\r\nlines\x02 " : "   ";
+                constexpr std::array<std::string_view, 3> strings{" two\r\nlines\x02 ", "   ", ""};
+                variable.default_value.bytes = strings.at(random.below(3));
             }
         }
     }

@@ -146,12 +146,15 @@ diagnostic::Findings findings_in_checked_sheet(const std::string& text) {
     return findings;
 }
 
-// What reading these parameters, and the objects behind them, as an XDD finds.
+// What reading these parameters, the objects behind them, and the transport layers behind those, as an XDD
+// finds.
 diagnostic::Findings findings_in_device_description(const std::string& text) {
     const std::size_t objects = text.find("<CANopenObject");
+    const std::size_t network = std::min(text.find("<TransportLayers"), text.size());
     diagnostic::Findings findings;
-    xdd::read(test::device_description(text.substr(0, objects), text.substr(objects)), "example.xdd",
-              findings);
+    xdd::read(test::device_description(text.substr(0, objects), text.substr(objects, network - objects),
+                                       text.substr(network)),
+              "example.xdd", findings);
     return findings;
 }
 

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <set>
@@ -71,10 +72,14 @@ Value RandomDictionary::value(const TypeRow& type) {
         case TypeKind::real:
             result.number = number(type.bits);
             break;
-        case TypeKind::integer:
         case TypeKind::natural:
             result.number = number(type.bits);
-            result.node_id_relative = type.bits >= 32 && rarely();
+            result.node_id_relative = rarely();
+            if (result.node_id_relative) {  // which no node makes too large
+                constexpr std::uint64_t highest_node = 127;
+                result.number =
+                    std::min(result.number, (~std::uint64_t{0} >> (64 - type.bits)) - highest_node);
+            }
             break;
         default:
             result.number = number(type.bits);

@@ -263,6 +263,70 @@ TEST(XddReader, tells_files_of_other_systems) {
     EXPECT_EQ(Result("[FileInfo]\n").message(), "this is an EDS or DCF, no XML");
 }
 
+TEST(XddReader, reads_what_has_no_type_as_domain_and_says_so) {
+    const test::XddResult result(test::device_description(
+        "<parameter uniqueID=\"P1\"><label lang=\"en\">Store EDS</label><BITSTRING/></parameter>\n"
+        "<parameter uniqueID=\"P2\" access=\"readWrite\"><label lang=\"en\">Command</label></parameter>\n",
+        "<CANopenObject index=\"1021\" name=\"Store EDS\" objectType=\"7\" uniqueIDRef=\"P1\"/>\n"
+        "<CANopenObject index=\"1023\" name=\"OS command\" objectType=\"9\" subNumber=\"2\">\n"
+        "<CANopenSubObject subIndex=\"01\" name=\"Command\" objectType=\"7\" uniqueIDRef=\"P2\"/>\n"
+        "<CANopenSubObject subIndex=\"02\" name=\"Status\" objectType=\"7\" accessType=\"ro\" "
+        "dataType=\"000A\"/>\n"
+        "</CANopenObject>\n"
+        "<CANopenObject index=\"1025\" name=\"x\" objectType=\"2\" accessType=\"ro\"/>\n"));
+    EXPECT_EQ(result.told(), "5:2 xdd-no-type\n7:2 xdd-no-type\n");
+    EXPECT_FALSE(result.findings.has_errors());
+    EXPECT_EQ(result.variable(0x1021).type, object::DataType::domain);
+    EXPECT_EQ(result.variable(0x1021).access, object::Access::ro);
+    EXPECT_EQ(result.variable(0x1023, 1).type, object::DataType::domain);
+    EXPECT_EQ(result.variable(0x1023, 1).access, object::Access::rw);
+    EXPECT_EQ(result.variable(0x1023, 2).type, object::DataType::octet_string);
+    EXPECT_EQ(result.variable(0x1025).type, object::DataType::domain);
+}
+
+TEST(XddReader, leaves_bit_rates_out_that_canopen_does_not_have) {
+    const test::XddResult result(test::device_description(
+        "",
+        "<CANopenObject index=\"2000\" name=\"V\" objectType=\"7\" dataType=\"0007\" accessType=\"ro\"/>\n",
+        "<TransportLayers><PhysicalLayer><baudRate><supportedBaudRate value=\"100 Kbps\"/>"
+        "<supportedBaudRate value=\"auto-baudRate\"/><supportedBaudRate value=\"autoBaudRate\"/>"
+        "<supportedBaudRate value=\"250 Kbps\"/></baudRate></PhysicalLayer></TransportLayers>"));
+    EXPECT_FALSE(result.findings.has_errors());
+    EXPECT_EQ(result.findings.all().size(), 3U);
+    for (const diagnostic::Diagnostic& finding : result.findings.all()) {
+        EXPECT_EQ(finding.rule->code, "E0915");
+    }
+    EXPECT_EQ(result.sheet.dictionary.device.bit_rates_kbit, std::vector<unsigned>{250});
+}
+
+TEST(XddReader, keeps_an_empty_string_and_no_value_apart) {
+    const test::XddResult result(test::device_description(
+        "<parameter uniqueID=\"P\" access=\"read\"><label lang=\"en\">C</label><STRING/><defaultValue "
+        "value=\"\"/></parameter>\n",
+        "<CANopenObject index=\"2000\" name=\"A\" objectType=\"7\" dataType=\"0009\" accessType=\"ro\" "
+        "defaultValue=\"\"/>\n"
+        "<CANopenObject index=\"2001\" name=\"B\" objectType=\"7\" dataType=\"0009\" accessType=\"ro\"/>\n"
+        "<CANopenObject index=\"2002\" name=\"C\" objectType=\"7\" uniqueIDRef=\"P\"/>\n"
+        "<CANopenObject index=\"2003\" name=\"D\" objectType=\"7\" dataType=\"0007\" accessType=\"ro\" "
+        "defaultValue=\"\"/>\n"));
+    EXPECT_EQ(result.told(), "");
+    EXPECT_FALSE(result.variable(0x2000).no_default);
+    EXPECT_TRUE(result.variable(0x2001).no_default);
+    EXPECT_FALSE(result.variable(0x2002).no_default);
+    EXPECT_TRUE(result.variable(0x2003).no_default);
+}
+
+TEST(XddReader, knows_utf_16_and_says_so) {
+    for (const std::string_view begin :
+         {std::string_view("\xFF\xFE<\0", 4), std::string_view("\xFE\xFF\0<", 4),
+          std::string_view("<\0?\0", 4), std::string_view("\0<\0?", 4)}) {
+        EXPECT_TRUE(is_xml(begin));
+        EXPECT_EQ(test::XddResult(begin).message(), "the file is UTF-16; save it as UTF-8");
+    }
+    EXPECT_FALSE(is_xml(std::string_view("\xFF\xFE[\0", 4)));
+    EXPECT_FALSE(is_xml("\xFF\xFE"));
+}
+
 TEST(XddReader, knows_xml_when_it_sees_it) {
     EXPECT_TRUE(is_xml("\xEF\xBB\xBF\n <?xml"));
     EXPECT_TRUE(is_xml("<a/>"));

@@ -1,4 +1,4 @@
-// E0901..E0913: XML device descriptions and configurations (XDD, XDC).
+// E0901..E0915: XML device descriptions and configurations (XDD, XDC).
 #include "diagnostic/rules/xdd.hpp"
 
 namespace cgw::diagnostic::rules {
@@ -31,13 +31,13 @@ const Rule xdd_absent{
     .code = "E0903",
     .name = "xdd-absent",
     .level = Level::error,
-    .summary = "each object states its index, its data type and its access",
+    .summary = "each object states its index and its access, and types that it names stand in the file",
     .reference = "",
     .why =
         "What the object is cannot be told, so it is left out; a configuration tool would not know the "
         "object at all.",
     .example = Example::device_description,
-    .bad = "<CANopenObject index=\"2000\" name=\"Value\" objectType=\"7\" accessType=\"ro\"/>\n",
+    .bad = "<CANopenObject index=\"2000\" name=\"Value\" objectType=\"7\" dataType=\"0007\"/>\n",
     .good =
         "<CANopenObject index=\"2000\" name=\"Value\" objectType=\"7\" dataType=\"0007\" "
         "accessType=\"ro\"/>\n"};
@@ -205,5 +205,46 @@ const Rule xdd_twice{
         "accessType=\"ro\"/>\n"
         "<CANopenObject index=\"2001\" name=\"Value\" objectType=\"7\" dataType=\"0005\" "
         "accessType=\"ro\"/>\n"};
+
+const Rule xdd_no_type{
+    .code = "E0914",
+    .name = "xdd-no-type",
+    .level = Level::warning,
+    .summary = "each object states its data type, and a BITSTRING the dataType that it stands for",
+    .reference = "D74",
+    .why =
+        "Of a BITSTRING nobody knows how many bytes it has and what they mean. Tools write it for DOMAIN and "
+        "OCTET_STRING; cgw reads it, and an object without any type, as DOMAIN.",
+    .example = Example::device_description,
+    .bad =
+        "<parameter uniqueID=\"UID_OBJ_1021\" access=\"read\"><label "
+        "lang=\"en\">Store EDS</label><BITSTRING/></parameter>\n"
+        "<CANopenObject index=\"1021\" name=\"Store EDS\" objectType=\"7\" "
+        "uniqueIDRef=\"UID_OBJ_1021\"/>\n",
+    .good =
+        "<parameter uniqueID=\"UID_OBJ_1021\" access=\"read\"><label "
+        "lang=\"en\">Store EDS</label><BITSTRING/></parameter>\n"
+        "<CANopenObject index=\"1021\" name=\"Store EDS\" objectType=\"7\" dataType=\"000F\" "
+        "uniqueIDRef=\"UID_OBJ_1021\"/>\n"};
+const Rule xdd_bit_rate{.code = "E0915",
+                        .name = "xdd-bit-rate",
+                        .level = Level::warning,
+                        .summary = "bit rates are those of CANopen",
+                        .reference = "",
+                        .why =
+                            "CANopen has 10, 20, 50, 125, 250, 500, 800 and 1000 kbit/s, and an EDS has no "
+                            "key for others, nor for "
+                            "a device that finds the rate by itself (auto-baudRate).",
+                        .example = Example::device_description,
+                        .bad =
+                            "<CANopenObject index=\"2000\" name=\"Value\" objectType=\"7\" dataType=\"0007\" "
+                            "accessType=\"ro\"/>\n"
+                            "<TransportLayers><PhysicalLayer><baudRate><supportedBaudRate value=\"100 "
+                            "Kbps\"/></baudRate></PhysicalLayer></TransportLayers>\n",
+                        .good =
+                            "<CANopenObject index=\"2000\" name=\"Value\" objectType=\"7\" dataType=\"0007\" "
+                            "accessType=\"ro\"/>\n"
+                            "<TransportLayers><PhysicalLayer><baudRate><supportedBaudRate value=\"125 "
+                            "Kbps\"/></baudRate></PhysicalLayer></TransportLayers>\n"};
 
 }  // namespace cgw::diagnostic::rules

@@ -17,7 +17,9 @@
     RULE(xdd_no_access) \
     RULE(xdd_reference) \
     RULE(xdd_contradiction) \
-    RULE(xdd_twice)
+    RULE(xdd_twice) \
+    RULE(xdd_no_type) \
+    RULE(xdd_bit_rate)
 // clang-format on
 
 namespace cgw::diagnostic::rules {
