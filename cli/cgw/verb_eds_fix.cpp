@@ -109,7 +109,7 @@ int run_eds_fix(const Arguments& arguments) {
     base::Result<std::string> text = base::read_file(path, eds::largest_text);
     if (!text) {
         print_error(text.error().message);
-        return exit_environment;
+        return text.error().too_large ? exit_findings : exit_environment;  // as the verbs that check it
     }
     const eds_check::Fixed fixed = eds_check::fix(*text, path, {.file_name = file_name_of(request, path)});
     if (!fixed.doubts.all().empty()) {

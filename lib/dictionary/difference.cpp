@@ -67,8 +67,10 @@ class Comparer {
         }
     }
 
+    bool both_configured() const { return a_.commissioning != nullptr && b_.commissioning != nullptr; }
+
     void compare_nodes() {
-        if (a_.commissioning != nullptr && b_.commissioning != nullptr) {
+        if (both_configured()) {
             compare_rows<Commissioning>(node_rows(), *a_.commissioning, *b_.commissioning);
         }
     }
@@ -116,6 +118,9 @@ class Comparer {
         if (subs) {
             compare_rows<Object>(sub_object_rows(), a, b, place);
         }
+        if (both_configured()) {
+            compare_rows<Object>(configured_object_rows(), a, b, place);
+        }
         merge(
             a.variables, b.variables, &Variable::sub_index,
             [&](const Variable& variable) { only_one(a.index, variable, true); },
@@ -144,6 +149,9 @@ class Comparer {
         compare_rows<Place>(variable_rows(), at_a, at_b, place);
         if (sets_value(at_a) || sets_value(at_b)) {
             compare_rows<Place>(set_value_rows(), at_a, at_b, place);
+        }
+        if (both_configured()) {
+            compare_rows<Place>(configured_variable_rows(), at_a, at_b, place);
         }
     }
 

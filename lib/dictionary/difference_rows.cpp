@@ -150,7 +150,17 @@ constexpr std::array of_set_value{
                            : variable.no_default    ? std::string(not_stated)
                                                     : shown(p, variable.default_value);
                 }},
+};
+
+// Of two configuration files as well, whether they set a value or not.
+constexpr std::array of_configured_object{
+    ObjectRow{"denotation", "denotation", false, [](const auto& o) { return o.denotation; }},
+};
+constexpr std::array of_configured_variable{
     VariableRow{"denotation", "denotation", false, [](const auto& p) { return p.variable.denotation; }},
+    VariableRow{"upload-file", "upload file", false, [](const auto& p) { return p.variable.upload_file; }},
+    VariableRow{"download-file", "download file", false,
+                [](const auto& p) { return p.variable.download_file; }},
 };
 
 }  // namespace
@@ -175,6 +185,12 @@ std::span<const AspectRow<Place>> variable_rows() {
 }
 std::span<const AspectRow<Place>> set_value_rows() {
     return of_set_value;
+}
+std::span<const AspectRow<Object>> configured_object_rows() {
+    return of_configured_object;
+}
+std::span<const AspectRow<Place>> configured_variable_rows() {
+    return of_configured_variable;
 }
 
 bool sets_value(const Place& place) {

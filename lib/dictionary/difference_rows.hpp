@@ -37,6 +37,10 @@ std::span<const AspectRow<Object>> sub_object_rows();  // also of those with sub
 std::span<const AspectRow<Place>> variable_rows();
 std::span<const AspectRow<Place>> set_value_rows();  // where a configuration file sets one
 
+// Where both are configuration files.
+std::span<const AspectRow<Object>> configured_object_rows();
+std::span<const AspectRow<Place>> configured_variable_rows();
+
 // A configuration file gives it another value than its default.
 bool sets_value(const Place& place);
 

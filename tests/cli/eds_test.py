@@ -329,6 +329,17 @@ class Verify(Case):
         jsonschema.validate(document, json.loads((SCHEMAS / "proof-report.schema.json").read_text()))
         self.assertEqual(document["artefacts"][0]["strict_errors"], 1)
 
+    def test_a_file_that_is_too_large_is_a_finding_in_every_verb(self):
+        large = self.dir / "large.eds"
+        with large.open("wb") as file:
+            file.truncate(32 * 1024 * 1024 + 1)
+        for arguments in (("eds", "check", large), ("eds", "fix", large, "--check"), ("eds", "diff", large, self.eds),
+                          ("convert", large, "--to", "json"), ("import", "eds", large), ("verify", GENSET, "--eds", large),
+                          ("verify", GENSET, "--image", large), ("verify", GENSET, "--dbc", large), ("check", large)):
+            result = cgw(*arguments)
+            self.assertEqual(result.returncode, 1, arguments)
+            self.assertRegex((result.stderr + result.stdout).decode(), r"is\s+larger\s+than", arguments)
+
     def test_what_cannot_be_read_or_is_refused(self):
         cut = self.dir / "cut.bin"
         cut.write_bytes(self.image.read_bytes()[:-1])

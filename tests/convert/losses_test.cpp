@@ -77,6 +77,13 @@ Description rough(std::uint32_t seed) {
     return description;
 }
 
+// As convert() makes a node of a kind of device, but for what it says of the node.
+Description convert_to_node(Description sheet, std::uint8_t node_id) {
+    sheet.dictionary = dictionary::of_node(std::move(sheet.dictionary), node_id);
+    sheet.node.emplace().node_id = node_id;
+    return sheet;
+}
+
 }  // namespace
 
 TEST(Losses, are_all_that_a_round_trip_changes) {
@@ -122,6 +129,58 @@ TEST(Losses, from_eds_to_xdd_and_back_are_those_of_both) {
         lose(sheet, Medium::xdd);
         ASSERT_TRUE(again == sheet) << "seed " << seed;
     }
+}
+
+// Every form to every other form, written and read on the way.
+TEST(Losses, of_two_forms_in_turn_are_those_of_both) {
+    for (const Medium from : all_media) {
+        for (const Medium to : all_media) {
+            for (std::uint32_t seed = 0; seed < rounds / 5; ++seed) {
+                Description first = rough(seed);
+                lose(first, from);
+                const Description read = read_back(format_of(from).write(first), from);
+                ASSERT_TRUE(read == first) << format_of(from).name << ", seed " << seed;
+                std::optional<std::uint8_t> node_id;
+                if (format_of(to).about == Format::About::node && !read.node) {
+                    node_id = static_cast<std::uint8_t>(1 + seed % 127);
+                    first = convert_to_node(std::move(first), *node_id);
+                }
+                const base::Result<Product> product =
+                    convert(read, {.format = format_of(to), .node_id = node_id});
+                ASSERT_TRUE(product) << product.error().message;
+                lose(first, to);
+                const Description again = read_back(product->bytes, to);
+                ASSERT_TRUE(again.dictionary == first.dictionary)
+                    << format_of(from).name << " to " << format_of(to).name << ", seed " << seed << '\n'
+                    << std::string(product->bytes.begin(), product->bytes.end());
+            }
+        }
+    }
+}
+
+TEST(Losses, of_a_node_leave_every_formula_resolved) {
+    std::size_t formulas = 0;
+    for (std::uint32_t seed = 0; seed < rounds; ++seed) {
+        const Description sheet{dictionary::without_node(test::RandomDictionary(seed).dictionary()),
+                                std::nullopt};
+        const auto node_id = static_cast<std::uint8_t>(1 + seed % 127);
+        const Description node = read_back(
+            convert(sheet, {.format = format_of(Medium::dcf), .node_id = node_id})->bytes, Medium::dcf);
+        for (const dictionary::Object& object : sheet.dictionary.objects) {
+            for (const dictionary::Variable& variable : object.variables) {
+                if (!variable.default_value.node_id_relative) {
+                    continue;
+                }
+                ++formulas;
+                const dictionary::Variable* const made =
+                    node.dictionary.find(object.index, variable.sub_index);
+                ASSERT_NE(made, nullptr);
+                EXPECT_FALSE(made->default_value.node_id_relative);
+                EXPECT_EQ(made->default_value.number, variable.default_value.number + node_id);
+            }
+        }
+    }
+    EXPECT_GT(formulas, 100U);
 }
 
 TEST(Losses, stand_in_the_documentation) {

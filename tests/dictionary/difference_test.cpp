@@ -206,4 +206,18 @@ TEST(DifferenceFormats, nothing_steers_the_terminal) {
     }
 }
 
+TEST(Differences, of_denotations_and_files_count_between_two_configurations_only) {
+    const Commissioning node;
+    const Dictionary a = device();
+    Dictionary b = device();
+    b.objects[0].variables[0].upload_file = "up.bin";
+    b.objects[0].variables[0].download_file = "down.bin";
+    b.objects[1].denotation = "Speed";
+    b.objects[1].variables[0].denotation = "rpm";
+    EXPECT_EQ(told(differences({a, &node}, {b, &node})),
+              "1000 upload-file:  -> up.bin\n1000 download-file:  -> down.bin\n1800 denotation:  -> Speed\n"
+              "1800:1 denotation:  -> rpm\n");
+    EXPECT_TRUE(differences({a}, {b, &node}).same());
+}
+
 }  // namespace cgw::dictionary
