@@ -24,4 +24,12 @@ base::Bytes emit_points(const Plant& plant, const Options& /*options*/) {
     return base::to_bytes(partner::points(partner_half(plant)));
 }
 
+base::Bytes emit_python_canopen(const Plant& plant, const Options& /*options*/) {
+    return base::to_bytes(partner::python_canopen(partner_half(plant)));
+}
+
+base::Bytes emit_structured_text(const Plant& plant, const Options& /*options*/) {
+    return base::to_bytes(partner::structured_text(partner_half(plant)));
+}
+
 }  // namespace cgw::emit

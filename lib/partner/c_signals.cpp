@@ -79,8 +79,7 @@ std::string functions(const CFrame& of, const Signal& signal) {
 
 // On and off instead of 1 and 0: some switches are low-active.
 std::string switch_functions(const CFrame& of, const Signal& signal) {
-    const signals::NamedValue& first = signal.values.front();
-    const bool on_is_1 = (first.raw == 1) == (first.text == "on");
+    const int on = raw_of_on(signal).value_or(1);
     return fmt::format(
         "static inline int {type}_ison_{name}(const {type} *pdo)\n"
         "{{\n"
@@ -90,8 +89,8 @@ std::string switch_functions(const CFrame& of, const Signal& signal) {
         "{{\n"
         "    {type}_putbit(pdo, {bit}u, on ? {on} : {off});\n"
         "}}\n",
-        arg("type", of.type), arg("name", signal.name), arg("bit", signal.first_bit),
-        arg("on", on_is_1 ? 1 : 0), arg("off", on_is_1 ? 0 : 1));
+        arg("type", of.type), arg("name", signal.name), arg("bit", signal.first_bit), arg("on", on),
+        arg("off", 1 - on));
 }
 
 std::string bit_functions(const CFrame& of) {
@@ -146,7 +145,7 @@ std::string c_bits(const CFrame& of) {
                     of.frame.name, listed) +
         bit_functions(of);
     for (const Signal& signal : of.frame.signals) {
-        text += signal.is_bit() && !signal.values.empty() ? switch_functions(of, signal) : "";
+        text += raw_of_on(signal) ? switch_functions(of, signal) : "";
     }
     return text;
 }

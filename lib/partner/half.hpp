@@ -30,5 +30,11 @@ std::string prefix(const Half& half);
 // into texts that end no comment and no string.
 std::string c_header(const Half& half);
 std::string points(const Half& half);
+std::string python_canopen(const Half& half);
+std::string structured_text(const Half& half);
+
+// What the bit of a switch function is when it is on, 0 or 1; nothing for other signals, and where functions
+// that share the bit disagree.
+std::optional<int> raw_of_on(const signals::Signal& signal);
 
 }  // namespace cgw::partner

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 #include "base/ascii.hpp"
 #include "base/numbers.hpp"
@@ -29,6 +30,19 @@ char in_comment(char c, char before) {
 // A digit or letter behind it could be taken for a part of it: always three octal digits.
 std::string octal(char c) {
     return fmt::format("\\{:03o}", static_cast<unsigned>(static_cast<unsigned char>(c)));
+}
+
+constexpr std::uint32_t not_utf8 = 0xFFFD;
+
+// `character` is one well-formed sequence.
+std::uint32_t code_point(std::string_view character) {
+    constexpr unsigned continued_bits = 6;
+    const auto lead = static_cast<std::uint8_t>(character.front());
+    std::uint32_t value = character.size() == 1 ? lead : lead & (0x7FU >> character.size());
+    for (const char next : character.substr(1)) {
+        value = value << continued_bits | (static_cast<std::uint8_t>(next) & 0x3FU);
+    }
+    return value;
 }
 
 }  // namespace
@@ -62,6 +76,21 @@ std::string c_string(std::string_view utf8) {
     for (const char c : utf8) {
         const bool plain = c >= ' ' && c <= '~' && c != '"' && c != '\\' && c != '?';
         text += plain ? std::string(1, c) : octal(c);
+    }
+    return text + '"';
+}
+
+std::string python_string(std::string_view utf8) {
+    std::string text = "\"";
+    while (!utf8.empty()) {
+        const std::size_t length = base::utf8_sequence_length(utf8);
+        const char first = utf8.front();
+        if (length == 1 && first >= ' ' && first <= '~' && first != '"' && first != '\\') {
+            text += first;
+        } else {
+            text += fmt::format("\\U{:08x}", length == 0 ? not_utf8 : code_point(utf8.substr(0, length)));
+        }
+        utf8.remove_prefix(std::max<std::size_t>(length, 1));
     }
     return text + '"';
 }

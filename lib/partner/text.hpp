@@ -18,6 +18,9 @@ inline constexpr std::size_t longest_unit = 64;  // bytes, in strings of the lan
 // A string literal of C and C++ with its quotes: the bytes of `utf8`, nothing in it is a trigraph.
 std::string c_string(std::string_view utf8);
 
+// The same in Python, in ASCII: what is not well-formed becomes U+FFFD.
+std::string python_string(std::string_view utf8);
+
 // "4000.0", "0.0625", "1e-07": the shortest text that reads back as the same double, with a point or an
 // exponent.
 std::string real(double value);

@@ -48,6 +48,8 @@ TEST_P(Golden, text_table_is_unchanged_and_fits_80_columns) {
 // What build leaves out, for the partner's program: golden/<sample>/partner/.
 TEST_P(Golden, partners_half_is_unchanged) {
     constexpr std::pair<std::string_view, std::string_view> files[] = {{"c-header", "partner.h"},
+                                                                       {"structured-text", "partner.st"},
+                                                                       {"python-canopen", "partner.py"},
                                                                        {"points", "points.csv"}};
     const CheckedFile file = sample(GetParam());
     ASSERT_TRUE(file.valid());

@@ -1,5 +1,6 @@
 #include "partner/hostile.hpp"
 
+#include <algorithm>
 #include <array>
 #include <random>
 #include <string>
@@ -57,6 +58,23 @@ class Source {
         return name;
     }
 
+    // Another line between raw numbers and physical values, falling ones and negative numbers among them.
+    void scale(signals::Signal& signal) {
+        constexpr std::array factors{0.0625, -0.5, 0.001, -12.25};
+        constexpr std::array offsets{0.0, -273.15, 1000.0};
+        constexpr std::int32_t half_of_all = 32768;
+        signal.is_signed = random_() % 2 == 0;
+        signal.scaled = true;
+        signal.factor = factors[random_() % factors.size()];
+        signal.offset = offsets[random_() % offsets.size()];
+        signal.raw_minimum = signal.is_signed ? -static_cast<std::int32_t>(random_() % half_of_all) : 0;
+        signal.raw_maximum = static_cast<std::int32_t>(1 + random_() % (half_of_all - 1));
+        const double one = signal.raw_minimum * signal.factor + signal.offset;
+        const double other = signal.raw_maximum * signal.factor + signal.offset;
+        signal.minimum = std::min(one, other);
+        signal.maximum = std::max(one, other);
+    }
+
   private:
     std::mt19937 random_;
 };
@@ -70,6 +88,9 @@ partner::Half hostile(partner::Half half, std::uint32_t seed) {
         dbc::Names taken;
         for (signals::Signal& signal : frame.signals) {
             signal.name = taken.take(source.name());
+            if (!signal.is_bit()) {
+                source.scale(signal);
+            }
             signal.unit = signal.scaled ? source.text() : "";
             for (signals::Source& parameter : signal.sources) {
                 parameter.name = source.text();

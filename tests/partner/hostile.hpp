@@ -8,7 +8,8 @@
 namespace cgw::test {
 
 // The frames of `half` with names that are words of some language, texts that end comments and strings, units
-// of any bytes; another mixture for each seed. Names keep to what lib/signals says of them.
+// of any bytes; words signed and unsigned, on rising and falling lines; another mixture for each seed. Names
+// keep to what lib/signals says of them.
 partner::Half hostile(partner::Half half, std::uint32_t seed);
 
 }  // namespace cgw::test

@@ -37,6 +37,8 @@ int run(const std::string& file_name, const std::filesystem::path& directory, st
     const Encoding encoded = encodings(half, encoded_frames);
     write(directory / "partner.h", partner::c_header(half));
     write(directory / "partner.csv", partner::points(half));
+    write(directory / "partner.py", partner::python_canopen(half));
+    write(directory / "partner.st", partner::structured_text(half));
     write(directory / "main.c", c_program(half, "partner.h"));
     write(directory / "frames.txt", frame_lines(frames));
     write(directory / "decoded.txt", decoded_lines(frames));
