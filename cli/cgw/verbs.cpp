@@ -30,6 +30,7 @@ std::span<const Verb* const> all_verbs() {
         &verify_verb,
         &pdo_verb,
         &encode_verb,
+        &decode_verb,
         &hub_verb,
         &simulate_verb,
     };

@@ -30,6 +30,7 @@ extern const Verb convert_verb;
 extern const Verb verify_verb;
 extern const Verb pdo_verb;
 extern const Verb encode_verb;
+extern const Verb decode_verb;
 extern const Verb hub_verb;
 extern const Verb simulate_verb;
 

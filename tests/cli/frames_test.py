@@ -1,7 +1,11 @@
-"""cgw pdo, encode: frames drawn, and made of values, with exit codes and both output streams."""
+"""cgw pdo, encode, decode: frames drawn, made of values and read back, with exit codes and both output streams."""
+import csv
+import io
 import json
 import os
 import pathlib
+import random
+import struct
 import subprocess
 import tempfile
 import unittest
@@ -135,6 +139,151 @@ class Encode(unittest.TestCase):
                 made = json.loads(cgw("encode", SAMPLES / plant, frame["name"], *values, "--format", "json").stdout)
                 self.assertEqual([signal["raw"] for signal in made["signals"]],
                                  [signal["example"]["raw"] for signal in frame["signals"]])
+
+
+def decode(*arguments, **options):
+    return cgw("decode", "--config", GENSET, *arguments, **options)
+
+
+def pcap(frames):
+    data = struct.pack("<IHHIIII", 0xA1B2C3D4, 2, 4, 0, 0, 262144, 227)
+    for time_us, identifier, payload in frames:
+        record = struct.pack(">IBBBB", identifier, len(payload), 0, 0, 0) + payload
+        data += struct.pack("<IIII", time_us // 1000000, time_us % 1000000, len(record), len(record)) + record
+    return data
+
+
+class DecodeFrame(unittest.TestCase):
+    def test_every_spelling(self):
+        for words in (["0x48C", "00", "60", "00", "60", "00", "80", "00", "80"], ["48Ch", "0060006000800080"],
+                      ["48C#0060006000800080"]):
+            shown = decode(*words)
+            self.assertEqual((shown.returncode, shown.stderr), (0, b""))
+            self.assertIn("0..1   2000 Speed: 24576 -> 1500.02 1/min\n", shown.stdout.decode())
+
+    def test_what_is_no_frame(self):
+        for words in (["0x48C", "0"], ["0x800"], ["48C#0"], ["0x48C", "00112233445566778899"]):
+            shown = decode(*words)
+            self.assertEqual((shown.returncode, shown.stdout), (1, b""))
+            self.assertIn("[E1206 frame-text]", shown.stderr.decode())
+        self.assertEqual(decode("run.log", "00").returncode, 2)
+        self.assertEqual(decode("0x48C", "00", "--audit").returncode, 2)
+        self.assertEqual(cgw("decode", "0x48C", "00").returncode, 2)
+        self.assertEqual(cgw("decode", "0x48C", "00", "--config", "missing.toml").returncode, 3)
+
+    def test_random_values_of_all_signals_come_back(self):
+        rng = random.Random(23)
+        for frame in frames_of(GENSET):
+            raws = {s["name"]: rng.randint(s["raw_minimum"], s["raw_maximum"]) for s in frame["signals"]}
+            made = cgw("encode", GENSET, frame["name"], *(f"{name}={raw} raw" for name, raw in raws.items()),
+                       "--format", "cansend").stdout.decode().strip()
+            line = decode(made, "--format", "json").stdout.decode().splitlines()[1]
+            self.assertEqual({s["name"]: s["raw"] for s in json.loads(line)["signals"]}, raws)
+
+
+class DecodeLog(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.scratch = tempfile.TemporaryDirectory(prefix="cgw-frames-")
+        cls.dir = pathlib.Path(cls.scratch.name)
+        cls.log = cls.dir / "run.log"
+        cgw("simulate", GENSET, "--duration", "6", "--log", cls.log)
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.scratch.cleanup()
+
+    def write(self, name, content):
+        path = self.dir / name
+        path.write_bytes(content if isinstance(content, bytes) else content.encode())
+        return path
+
+    def test_the_simulated_plant_is_in_order(self):
+        shown = decode(self.log, "--interface", "can2")
+        self.assertEqual((shown.returncode, shown.stderr), (0, b""))
+        text = shown.stdout.decode()
+        for line in text.splitlines():
+            self.assertLessEqual(len(line), 80, line)
+        self.assertIn("  HB      node 12 boot-up\n", text)
+        self.assertIn("  NMT     start, node 12\n", text)
+        self.assertRegex(text, r"TPDO4 +48Ch +\d+ +125 +12\d")
+        audit = decode(self.log, "--interface", "can2", "--audit").stdout.decode()
+        self.assertTrue(text.endswith(audit))
+
+    def test_json_is_a_document_on_each_line(self):
+        shown = decode(self.log, "--interface", "can2", "--format", "json")
+        self.assertEqual((shown.returncode, shown.stderr), (0, b""))
+        validator = jsonschema.Draft202012Validator(schema("decoded-log.schema.json"))
+        lines = [json.loads(line) for line in shown.stdout.decode().splitlines()]
+        for line in lines[:300] + lines[-3:]:
+            validator.validate(line)
+        self.assertEqual([lines[0]["kind"], lines[1]["kind"], lines[-1]["kind"]], ["log", "frame", "audit"])
+        self.assertEqual(lines[-1]["count"], len(lines) - 2)
+        self.assertEqual(lines[-1]["findings"], [])
+
+    def test_csv_has_a_line_for_each_signal(self):
+        rows = list(csv.DictReader(io.StringIO(decode(self.log, "--format", "csv").stdout.decode())))
+        speeds = [row for row in rows if row["signal"] == "Speed"]
+        self.assertGreater(len(speeds), 20)
+        self.assertAlmostEqual(float(speeds[-1]["physical"]), int(speeds[-1]["raw"]) * 4000 / 65535, delta=0.01)
+
+    def test_pcap_and_screen_say_the_same_as_the_log(self):
+        frames = []
+        screen = []
+        for line in self.log.read_text().splitlines():
+            time, interface, frame = line.split()
+            identifier, data = frame.split("#")
+            if interface == "can2":
+                time_us = int(time[1:-1].replace(".", ""))
+                frames.append((time_us, int(identifier, 16), bytes.fromhex(data)))
+                screen.append(f" ({time[1:-1]})  can0  {identifier}   [{len(data) // 2}]  {bytes.fromhex(data).hex(' ').upper()}")
+        expected = decode(self.log, "--interface", "can2", "--audit").stdout
+        for name, content in (("run.pcap", pcap(frames)), ("screen.txt", "\n".join(screen))):
+            shown = decode(self.write(name, content), "--audit")
+            self.assertEqual((shown.returncode, shown.stderr), (0, b""))
+            self.assertEqual(shown.stdout, expected, name)
+
+    def test_findings_and_exit_codes(self):
+        # Without the NMT command nothing of the log says when Operational began; RPDO2 goes missing for 2 s.
+        lines = [line for line in self.log.read_text().splitlines()
+                 if not (" 30C#" in line and 3 < float(line[1:18]) < 5)]
+        shown = decode(self.write("gap.log", "\n".join(lines)), "--interface", "can2", "--audit")
+        self.assertEqual(shown.returncode, 1)
+        said = " ".join(shown.stderr.decode().split())
+        self.assertIn("error: RPDO2 (30Ch) stayed out for 2050", said)
+        self.assertIn("[E1217 monitoring-exceeded]", said)
+        self.assertRegex(said, r"gap\.log:\d+:1: error")
+
+    def test_what_is_no_log(self):
+        for name, content, code in (("empty.log", "", "E1209"), ("binary.log", bytes(range(256)) * 40, "E1207"),
+                                    ("giant.log", "x" * 3_000_000, "E1207"), ("cut.pcap", pcap([(1, 1, b"1")])[:-3], "E1207"),
+                                    ("length.pcap", pcap([])+ b"\xff" * 16, "E1207")):
+            shown = decode(self.write(name, content))
+            self.assertEqual(shown.returncode, 1, name)
+            self.assertIn(f"[{code} ", shown.stderr.decode(), name)
+        self.assertEqual(decode(self.dir / "missing.log").returncode, 3)
+        self.assertEqual(decode(self.dir).returncode, 3)
+
+    def test_standard_input(self):
+        shown = decode("-", "--audit", "--interface", "can2", input=self.log.read_bytes())
+        self.assertEqual(shown.stdout, decode(self.log, "--audit", "--interface", "can2").stdout)
+        self.assertEqual(cgw("decode", "-", "--config", "-", input=b"").returncode, 2)
+
+    def test_what_python_can_records(self):
+        try:
+            import can
+        except ImportError:
+            self.skipTest("python-can is not installed")
+        path = self.dir / "python.log"
+        with can.CanutilsLogWriter(str(path)) as writer:
+            for i in range(20):
+                writer.on_message_received(can.Message(timestamp=1 + i * 0.125, arbitration_id=0x48C, channel="can0",
+                                                       is_extended_id=False, data=bytes([0, 0x60] * 4)))
+        lines = [json.loads(line) for line in decode(path, "--format", "json").stdout.decode().splitlines()]
+        self.assertEqual(lines[-1]["count"], 20)
+        self.assertEqual(lines[1]["signals"][0]["text"], "1500.02 1/min")
+        with can.CanutilsLogReader(str(self.log)) as reader:
+            self.assertEqual(sum(1 for _ in reader), len(self.log.read_text().splitlines()))
 
 
 if __name__ == "__main__":

@@ -10,15 +10,20 @@
 #include "dbc/read.hpp"
 #include "diagnostic/rules.hpp"
 #include "driver/check_file.hpp"
+#include "driver/plant.hpp"
 #include "driver/scenario_file.hpp"
 #include "driver/tables.hpp"
+#include "driver/traffic_subject.hpp"
 #include "eds/reader.hpp"
 #include "eds_check/checks.hpp"
 #include "emit/concerned.hpp"
 #include "firmware_file/embed.hpp"
+#include "media/log_reader.hpp"
 #include "signals/encode.hpp"
 #include "support/scratch_directory.hpp"
 #include "support/valid_data_sheet.hpp"
+#include "traffic/audit.hpp"
+#include "traffic/typed_frame.hpp"
 #include "xdd/reading_result.hpp"
 
 namespace cgw::driver {
@@ -123,10 +128,38 @@ diagnostic::Findings findings_of_arguments(std::string_view example) {
     const CheckedFile plant = check_file(CGW_SAMPLES "/genset.toml");
     const auto frames = signals::frames_of(plant.settings, *plant.catalogue, plant.configuration);
     diagnostic::Findings findings;
+    if (traffic::begins_frame(arguments.front())) {
+        traffic::read_typed_frame(arguments, findings);
+        return findings;
+    }
     if (const signals::Frame* const frame = signals::demand_frame(frames, arguments.front(), findings)) {
         signals::encode(*frame, std::span(arguments).subspan(1), findings);
     }
     return findings;
+}
+
+// What holding this log against the sample finds.
+diagnostic::Findings findings_in_log(std::string_view log) {
+    const CheckedFile file = check_file(CGW_SAMPLES "/genset.toml");
+    const auto plant = Plant::make(file);
+    const emit::Plant view = plant->view();
+    const traffic::Subject subject = traffic_subject(file, view);
+    const traffic::Owners owners(subject);
+    traffic::Audit audit(subject, owners);
+    media::LogReader reader;
+    reader.feed(log);
+    reader.finish();
+    using Kind = media::LogReader::Kind;
+    for (const media::LogReader::Item* item = &reader.next(); item->kind != Kind::end;
+         item = &reader.next()) {
+        if (item->kind == Kind::frame) {
+            audit.take({item->number, item->logged.time_us, item->has_time, item->logged.frame});
+        } else if (item->kind == Kind::fault) {
+            audit.take_fault(item->number, item->fault);
+        }
+    }
+    audit.finish(true);
+    return audit.findings("example.log");
 }
 
 // What reading this CAN database finds.
@@ -181,7 +214,7 @@ diagnostic::Findings findings_of(Example kind, std::string_view example) {
         case Example::frame_arguments:
             return findings_of_arguments(example);
         case Example::frame_log:
-            break;
+            return findings_in_log(example);
         case Example::data_sheet_lines:
             return findings_in_checked_sheet(test::data_sheet_with(example));
         case Example::device_description:

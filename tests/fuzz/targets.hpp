@@ -19,6 +19,7 @@ void table(Input input);           // of the governor; behind the line "#### gat
 void scenario(Input input);        // a scenario file, for the plant of samples/genset.toml
 void eds(Input input);             // an EDS or DCF of any device
 void xdd(Input input);             // an XDD or XDC
+void log(Input input);             // a log of candump or pcap, for the plant of samples/genset.toml
 
 // How inputs are changed so that the change gets past the first check: bytes at random alone would only ever
 // show that checksums work. Each takes `size` bytes in `data`, which has room for `limit`, and returns how
@@ -47,6 +48,7 @@ inline constexpr Target targets[] = {
     {"scenario", scenario, mutate_text},
     {"eds", eds, mutate_text},
     {"xdd", xdd, mutate_text},
+    {"log", log, mutate_text},
 };
 
 // nullptr: there is none of that name.
