@@ -56,7 +56,7 @@ int run_encode(const Arguments& arguments) {
         return exit_findings;
     }
     const std::string format = arguments.value("--format");
-    const std::string text = format == "json"      ? signals::render_encoded_json(encoded) + "\n"
+    const std::string text = format == "json"      ? signals::render_encoded_json(encoded)
                              : format == "cansend" ? signals::cansend_text(*frame, encoded.data) + "\n"
                                                    : signals::render_encoded_text(encoded);
     return print(text) ? exit_fine : exit_environment;

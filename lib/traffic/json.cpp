@@ -74,7 +74,7 @@ std::string json_head(const Subject& subject) {
     json.key("node_id").integer(subject.node_id);
     json.key("configuration_id").string(subject.configuration_id);
     json.end_object();
-    return json.take() + "\n";
+    return json.take();
 }
 
 std::string json_frame(const Told& told) {
@@ -98,7 +98,7 @@ std::string json_frame(const Told& told) {
         add_signals(json, *told.meaning.owner.frame, data);
     }
     json.end_object();
-    return json.take() + "\n";
+    return json.take();
 }
 
 std::string json_foot(const Audit& audit, std::span<const diagnostic::Diagnostic> findings) {
@@ -121,7 +121,7 @@ std::string json_foot(const Audit& audit, std::span<const diagnostic::Diagnostic
         add_finding(json, finding);
     }
     json.end_array().end_object();
-    return json.take() + "\n";
+    return json.take();
 }
 
 }  // namespace cgw::traffic

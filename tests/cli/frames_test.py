@@ -187,7 +187,7 @@ class DecodeLog(unittest.TestCase):
         cls.scratch = tempfile.TemporaryDirectory(prefix="cgw-frames-")
         cls.dir = pathlib.Path(cls.scratch.name)
         cls.log = cls.dir / "run.log"
-        cgw("simulate", GENSET, "--duration", "6", "--log", cls.log)
+        cgw("simulate", GENSET, "--duration", "5.5", "--log", cls.log)
 
     @classmethod
     def tearDownClass(cls):
