@@ -47,11 +47,11 @@ constexpr Option decode_options[] = {
 
 constexpr std::string_view decode_details =
     "A log is candump -L, what candump shows on the screen, or pcap of link type 227;\n"
-    "the format is found by itself, the size does not matter. Each frame is told: PDOs\n"
-    "in engineering units, NMT, SYNC, EMCY, SDO with its objects and abort texts,\n"
+    "the format is found by itself, the size does not matter. Each frame is told:\n"
+    "PDOs in engineering units, NMT, SYNC, EMCY, SDO with objects and abort texts,\n"
     "heartbeat and node guarding. At the end the log is held against the plant:\n"
-    "frames that are missing, unexpected, of wrong length or too late. Findings are on\n"
-    "standard error, with --format json in the last line.\n\n"
+    "frames that are missing, unexpected, of wrong length or too late. Findings are\n"
+    "on standard error, with --format json in the last line.\n\n"
     "A frame is typed as 0x181 A0 0F, 181h A00F or 181#A00F.\n\n"
     "Exit code 0; 1 when FILE has errors or the log has findings of that level, 3\n"
     "when one of them cannot be read.\n";
