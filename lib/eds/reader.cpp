@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "diagnostic/rules/eds.hpp"
 #include "eds/reading.hpp"
 
@@ -24,6 +26,12 @@ bool judge_bytes(Reading& reading) {
     }
     if (document.sections().empty()) {
         reading.report_whole_file(rules::eds_text, "the file has no section: it is no EDS");
+        return false;
+    }
+    if (!is_sheet(document)) {
+        reading.report_whole_file(
+            rules::eds_text, fmt::format("none of the sections is one of CiA 306, such as {}: it is no EDS",
+                                         reading.quoted(document.sections().front())));
         return false;
     }
     return true;
@@ -88,7 +96,10 @@ void judge_names(Reading& reading) {
 }  // namespace
 
 bool is_sheet(const Document& document) {
-    return !is_utf_16(document) && !document.sections().empty();
+    const std::span<const Section> sections = document.sections();
+    return !is_utf_16(document) && std::any_of(sections.begin(), sections.end(), [&](const Section& section) {
+        return parse_section_name(document.name(section)).kind != SectionKind::unknown;
+    });
 }
 
 Sheet read(const Document& document, const std::string& path, diagnostic::Findings& findings,

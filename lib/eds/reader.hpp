@@ -36,7 +36,7 @@ struct Sheet {
 Sheet read(const Document& document, const std::string& path, diagnostic::Findings& findings,
            std::size_t most = most_findings);
 
-// False for UTF-16 and for what has no section: of such bytes nothing is read.
+// False for UTF-16 and for what has no section that CiA 306 knows: of such bytes nothing is read.
 bool is_sheet(const Document& document);
 
 }  // namespace cgw::eds

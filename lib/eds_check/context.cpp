@@ -25,6 +25,18 @@ bool is_same(const SectionName& a, const SectionName& b) {
     return place_of(a) == place_of(b) && a.kind == b.kind && a.sub_index == b.sub_index;
 }
 
+bool is_before(const Listed& a, const Listed& b) {
+    return std::pair(a.list, a.index) < std::pair(b.list, b.index);
+}
+
+// A number that stands there as CiA 306 has it, without $NODEID.
+std::optional<std::uint64_t> plain_number(const eds::Document& document, std::uint32_t line) {
+    const eds::Number number = eds::parse_number(document.value(line));
+    const bool usable =
+        number.reading == eds::Number::Reading::number && !number.negative && !number.node_id_relative;
+    return usable ? std::optional(number.magnitude) : std::nullopt;
+}
+
 const dictionary::Module* module_of(const dictionary::Dictionary& dictionary, std::uint8_t number) {
     const auto found =
         std::find_if(dictionary.modules.begin(), dictionary.modules.end(),
@@ -68,6 +80,7 @@ const Part* Group::find(std::uint8_t sub_index) const {
 
 Model::Model(const eds::Document& document, const eds::Sheet& sheet) {
     read_keys(document, sheet);
+    read_lists(document, sheet);
     read_parts(document, sheet);
     group_parts(sheet);
 }
@@ -83,6 +96,33 @@ void Model::read_keys(const eds::Document& document, const eds::Sheet& sheet) {
             }
         }
     }
+}
+
+void Model::read_lists(const eds::Document& document, const eds::Sheet& sheet) {
+    for (const SectionKind list : object_lists) {
+        const auto section = sheet.sections.find(list);
+        if (!section) {
+            continue;
+        }
+        const eds::Section& of = document.sections()[*section];
+        for (std::uint32_t line = of.header + 1; line < of.end; ++line) {
+            const bool is_entry = key_rows_[line] != nullptr && key_rows_[line]->tail == Tail::number;
+            const auto index = is_entry ? plain_number(document, line) : std::nullopt;
+            if (index && *index <= eds::highest_u16) {
+                listed_.push_back({list, static_cast<std::uint16_t>(*index), line});
+            }
+        }
+    }
+    by_index_ = listed_;
+    std::stable_sort(by_index_.begin(), by_index_.end(), is_before);
+    by_index_.erase(
+        std::unique(by_index_.begin(), by_index_.end(),
+                    [](const Listed& a, const Listed& b) { return a.list == b.list && a.index == b.index; }),
+        by_index_.end());
+}
+
+std::uint32_t Model::first_listing(SectionKind list, std::uint16_t index) const {
+    return std::lower_bound(by_index_.begin(), by_index_.end(), Listed{list, index, 0}, is_before)->line;
 }
 
 void Model::read_parts(const eds::Document& document, const eds::Sheet& sheet) {
@@ -164,13 +204,7 @@ std::optional<std::uint8_t> Context::node_id() const {
 }
 
 std::optional<std::uint64_t> Context::number(std::uint32_t line) const {
-    if (!stated(line)) {
-        return std::nullopt;
-    }
-    const eds::Number number = eds::parse_number(document.value(line));
-    const bool usable =
-        number.reading == eds::Number::Reading::number && !number.negative && !number.node_id_relative;
-    return usable ? std::optional(number.magnitude) : std::nullopt;
+    return stated(line) ? plain_number(document, line) : std::nullopt;
 }
 
 std::uint32_t Context::line_of(SectionKind kind, std::string_view key) const {

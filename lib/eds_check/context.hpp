@@ -47,6 +47,13 @@ struct Group {
     const Part* find(std::uint8_t sub_index) const;
 };
 
+// An entry of one of the three lists of objects.
+struct Listed {
+    eds::SectionKind list;
+    std::uint16_t index;
+    std::uint32_t line;
+};
+
 // The file, looked through once for all checks.
 class Model {
   public:
@@ -60,16 +67,24 @@ class Model {
     }
     const Group* find(const eds::SectionName& name) const;  // that the section belongs to
 
+    // Mandatory, optional, then manufacturer objects; those of one list in file order.
+    std::span<const Listed> listed() const { return listed_; }
+    // The first entry of the index in that list, which has one.
+    std::uint32_t first_listing(eds::SectionKind list, std::uint16_t index) const;
+
     // What the key on a line is; nullptr: unknown, or no entry of a section whose keys are known.
     const KeyRow* key_row(std::uint32_t line) const { return key_rows_[line]; }
 
   private:
     void read_keys(const eds::Document& document, const eds::Sheet& sheet);
+    void read_lists(const eds::Document& document, const eds::Sheet& sheet);
     void read_parts(const eds::Document& document, const eds::Sheet& sheet);
     void group_parts(const eds::Sheet& sheet);
     Group group_at(std::size_t begin, const eds::Sheet& sheet);
 
     std::vector<const KeyRow*> key_rows_;  // by line
+    std::vector<Listed> listed_;
+    std::vector<Listed> by_index_;  // of each list the first of each index
     std::vector<Part> parts_;
     std::vector<Group> groups_;
 };

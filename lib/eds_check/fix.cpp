@@ -1,6 +1,7 @@
 #include "eds_check/fix.hpp"
 
 #include <algorithm>
+#include <map>
 #include <set>
 
 #include "eds/edit.hpp"
@@ -52,8 +53,7 @@ class Round {
         const Model model(document_, sheet_);
         const Context context{reading, document_, sheet_, model, options_};
         std::set<std::uint32_t> lines;
-        const Check* waiting = nullptr;
-        std::uint32_t last_waiting = 0;
+        std::map<const Check*, std::uint32_t> waiting;  // the last line that a repair of the rule is about
         for (const diagnostic::Diagnostic& finding : findings_.all()) {
             const Check* const row = find_check(finding.rule);
             if (row == nullptr || row->repair == nullptr || finding.where.range.start.line == 0) {
@@ -62,12 +62,14 @@ class Round {
             // A repair of many lines mends other findings as well, or has to wait for the next round with
             // all.
             const std::uint32_t line = finding.where.range.start.line - 1;
-            if (lines.contains(line) || (row == waiting && line <= last_waiting)) {
+            const auto waits = waiting.find(row);
+            if (lines.contains(line) || (waits != waiting.end() && line <= waits->second)) {
                 continue;
             }
             const auto repair = row->repair(context, span_of(document_, finding.where.range));
-            waiting = repair ? row : nullptr;
-            last_waiting = repair && !repair->changes.empty() ? repair->changes.back().span.line : 0;
+            if (repair && !repair->changes.empty()) {
+                waiting[row] = repair->changes.back().span.line;
+            }
             if (repair && std::none_of(repair->changes.begin(), repair->changes.end(),
                                        [&](const Change& c) { return lines.contains(c.span.line); })) {
                 for (const Change& change : repair->changes) {

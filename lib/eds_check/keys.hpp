@@ -1,6 +1,7 @@
 // The keys that CiA 306 gives to each kind of section: one row each.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <string_view>
@@ -20,6 +21,10 @@ struct KeyRow {
     Tail tail = Tail::none;
     bool required = false;  // by whoever reads the file; of objects other rules say so
 };
+
+inline constexpr std::array object_lists{eds::SectionKind::mandatory_objects,
+                                         eds::SectionKind::optional_objects,
+                                         eds::SectionKind::manufacturer_objects};
 
 std::span<const KeyRow> rows_of(eds::SectionKind kind);  // empty: any key may stand there
 

@@ -5,6 +5,7 @@
 #include <array>
 #include <map>
 
+#include "base/ascii.hpp"
 #include "diagnostic/rules/eds_check.hpp"
 #include "eds_check/context.hpp"
 #include "eds_check/counts.hpp"
@@ -16,8 +17,14 @@ namespace {
 namespace rules = diagnostic::rules;
 using eds::SectionKind;
 
-constexpr std::array object_lists{SectionKind::mandatory_objects, SectionKind::optional_objects,
-                                  SectionKind::manufacturer_objects};
+// Sections whose entries are numbered from 1 without a gap.
+bool is_numbered(SectionKind kind) {
+    constexpr std::array kinds{
+        SectionKind::mandatory_objects,  SectionKind::optional_objects,  SectionKind::manufacturer_objects,
+        SectionKind::object_links,       SectionKind::connected_modules, SectionKind::module_fixed_objects,
+        SectionKind::module_sub_extends, SectionKind::comments,          SectionKind::module_comments};
+    return std::find(kinds.begin(), kinds.end(), kind) != kinds.end();
+}
 
 // Sections with numbered entries, and the key that says how many they are.
 struct Counted {
@@ -75,28 +82,17 @@ void check_counts(const Context& context, const diagnostic::Rule& rule) {
     }
 }
 
-struct Listed {
-    SectionKind list;
-    std::uint16_t index;
-    std::uint32_t line;
-};
-
-std::vector<Listed> listed_objects(const Context& context) {
-    std::vector<Listed> all;
-    for (const SectionKind list : object_lists) {
-        const auto section = context.sheet.sections.find(list);
-        if (!section) {
-            continue;
-        }
-        const eds::Section& of = context.reading.section(*section);
-        for (std::uint32_t line = of.header + 1; line < of.end; ++line) {
-            const auto index = is_list_entry(context, line) ? context.number(line) : std::nullopt;
-            if (index && *index <= eds::highest_u16) {
-                all.push_back({list, static_cast<std::uint16_t>(*index), line});
-            }
-        }
+// 1=2000, where [2000] stands in the file.
+std::string hexadecimal_meant(const Context& context, const Listed& entry) {
+    constexpr std::size_t index_digits = 4;
+    const std::string_view text = context.document.value(entry.line);
+    if (text.size() != index_digits || !base::consists_of(text, base::hexadecimal_digits)) {
+        return "";
     }
-    return all;
+    const auto meant = eds::parse_section_name(text);
+    return context.model.find(meant) != nullptr
+               ? fmt::format("{} is a decimal number; is 0x{} meant?", text, text)
+               : "";
 }
 
 SectionKind list_for(std::uint16_t index) {
@@ -137,19 +133,19 @@ void check_comment_counts(const Context& context) {
 }
 
 void check_list_numbers(const Context& context) {
-    for (const SectionKind list : object_lists) {
-        const auto section = context.sheet.sections.find(list);
-        if (!section) {
+    const std::span<const eds::Section> sections = context.document.sections();
+    for (std::uint32_t number = 0; number < sections.size(); ++number) {
+        if (!is_numbered(context.kind_of(number))) {
             continue;
         }
-        const eds::Section& of = context.reading.section(*section);
+        const eds::Section& of = sections[number];
         std::vector<bool> seen(entries_of(context, of) + 1);
         for (std::uint32_t line = of.header + 1; line < of.end; ++line) {
             if (!is_list_entry(context, line)) {
                 continue;
             }
             const std::string_view key = context.document.key(line);
-            const std::size_t place = place_of(key);
+            const std::size_t place = place_of(key.substr(context.model.key_row(line)->name.size()));
             if (place >= 1 && place < seen.size() && !seen[place]) {
                 seen[place] = true;
                 continue;
@@ -164,7 +160,7 @@ void check_list_numbers(const Context& context) {
 
 void check_listed_twice(const Context& context) {
     std::map<std::uint16_t, std::uint32_t> lines;
-    for (const Listed& each : listed_objects(context)) {
+    for (const Listed& each : context.model.listed()) {
         const auto [first, is_new] = lines.try_emplace(each.index, each.line);
         if (!is_new) {
             context.reading.report(
@@ -176,19 +172,20 @@ void check_listed_twice(const Context& context) {
 }
 
 void check_listed_objects(const Context& context) {
-    for (const Listed& each : listed_objects(context)) {
+    for (const Listed& each : context.model.listed()) {
         if (context.model.find(each.index) == nullptr &&
             context.sheet.dictionary.find(each.index) == nullptr) {
             context.reading.report(
                 rules::eds_listed_absent, context.document.value_span(each.line),
-                fmt::format("{} is listed, and [{:04X}] is missing", object_text(each.index), each.index));
+                fmt::format("{} is listed, and [{:04X}] is missing", object_text(each.index), each.index),
+                hexadecimal_meant(context, each));
         }
     }
 }
 
 void check_unlisted_objects(const Context& context) {
     std::vector<bool> listed(eds::highest_u16 + 1);
-    for (const Listed& each : listed_objects(context)) {
+    for (const Listed& each : context.model.listed()) {
         listed[each.index] = true;
     }
     for (const Group& group : context.model.groups()) {
@@ -209,7 +206,7 @@ void check_unlisted_objects(const Context& context) {
 }
 
 void check_list_choice(const Context& context) {
-    for (const Listed& each : listed_objects(context)) {
+    for (const Listed& each : context.model.listed()) {
         const SectionKind right = list_for(each.index);
         if (right != each.list) {
             context.reading.report(

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "base/ascii.hpp"
 #include "base/utf8.hpp"
 #include "eds_check/context.hpp"
 #include "eds_check/counts.hpp"
@@ -63,7 +64,9 @@ Repair stated(const Part& part, std::uint32_t header, std::initializer_list<Obje
 }  // namespace
 
 std::optional<Repair> mend_count(const Context& context, const Span& place) {
-    return restated(context, place, fmt::format("{}", entries_of(context, section_of(context, place.line))));
+    const std::size_t count = entries_of(context, section_of(context, place.line));
+    // A list that is counted and gone may have been lost: which entries it had, nobody knows.
+    return count > 0 ? std::optional(restated(context, place, fmt::format("{}", count))) : std::nullopt;
 }
 
 std::optional<Repair> number_list(const Context& context, const Span& place) {
@@ -74,27 +77,24 @@ std::optional<Repair> number_list(const Context& context, const Span& place) {
         if (!is_list_entry(context, line)) {
             continue;
         }
+        Span digits = context.document.key_span(line);
+        digits.begin += static_cast<std::uint32_t>(context.model.key_row(line)->name.size());
         const std::string right = fmt::format("{}", ++number);
-        if (context.document.key(line) != right) {
-            repair.changes.push_back({Change::Kind::replace, context.document.key_span(line), right});
+        if (context.document.view(digits) != right) {
+            repair.changes.push_back({Change::Kind::replace, digits, right});
         }
     }
     return repair;
 }
 
 std::optional<Repair> unlist(const Context& context, const Span& place) {
-    const eds::Section& section = section_of(context, place.line);
-    const auto index = context.number(place.line);
-    constexpr std::uint32_t longest_list = 4096;  // that is looked through for each entry
-    const std::uint32_t end = std::min(place.line, section.header + longest_list);
-    for (std::uint32_t line = section.header + 1; line < end; ++line) {
-        if (is_list_entry(context, line) && context.number(line) == index) {
-            return Repair{fmt::format("the second entry of {} is taken away",
-                                      object_text(static_cast<unsigned>(index.value_or(0)))),
-                          {{Change::Kind::remove_line, place, ""}}};
-        }
+    const std::uint32_t section = number_of(context, section_of(context, place.line));
+    const auto index = static_cast<std::uint16_t>(context.number(place.line).value_or(0));
+    if (context.model.first_listing(context.kind_of(section), index) >= place.line) {
+        return std::nullopt;  // it stands in two lists: which one is wrong is told by another rule
     }
-    return std::nullopt;  // it stands in two lists: which one is wrong is told by another rule
+    return Repair{fmt::format("the second entry of {} is taken away", object_text(index)),
+                  {{Change::Kind::remove_line, place, ""}}};
 }
 
 std::optional<Repair> mend_sub_number(const Context& context, const Span& place) {
@@ -166,7 +166,16 @@ std::optional<Repair> mend_identity(const Context& context, const Span& place) {
     return restated(context, place, fmt::format("0x{:08X}", *held));
 }
 
+// A value ends at `;`, a line has 255 characters of ASCII, and blanks at the ends of a value are none of it.
 std::optional<Repair> mend_file_name(const Context& context, const Span& place) {
+    constexpr std::size_t longest = 240;
+    const std::string_view name = context.options.file_name;
+    const bool fits =
+        name.size() <= longest && base::trimmed(name) == name &&
+        std::all_of(name.begin(), name.end(), [](char c) { return c >= ' ' && c <= '~' && c != ';'; });
+    if (!fits) {
+        return std::nullopt;
+    }
     return restated(context, place, context.options.file_name);
 }
 

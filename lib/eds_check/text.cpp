@@ -44,6 +44,23 @@ bool is_blank(char c) {
     return c == ' ' || c == '\t';
 }
 
+// [2000 ]; those behind the name, else those before it.
+std::optional<Span> blanks_inside(const std::string& text, std::uint32_t number, const Line& line) {
+    const std::uint32_t open = line.begin + 1;
+    std::uint32_t behind = line.mark;
+    while (behind > open && is_blank(text[behind - 1])) {
+        --behind;
+    }
+    std::uint32_t before = open;
+    while (before < behind && is_blank(text[before])) {
+        ++before;
+    }
+    if (line.mark == line.end || (behind == line.mark && before == open)) {
+        return std::nullopt;
+    }
+    return behind != line.mark ? Span{number, behind, line.mark} : Span{number, open, before};
+}
+
 }  // namespace
 
 void check_line_lengths(const Context& context) {
@@ -137,6 +154,8 @@ void check_blanks(const Context& context) {
             const auto end = text.find_first_not_of(" \t", line.begin);
             context.reading.report(rules::eds_blanks, {number, line.begin, static_cast<std::uint32_t>(end)},
                                    entry ? "blanks stand before the key" : "blanks stand before the [");
+        } else if (const auto inside = entry ? std::nullopt : blanks_inside(text, number, line)) {
+            context.reading.report(rules::eds_blanks, *inside, "blanks stand inside the brackets");
         } else if (entry && line.mark > line.begin && is_blank(text[line.mark - 1])) {
             context.reading.report(rules::eds_blanks,
                                    {number, context.document.key_span(number).end, line.mark},

@@ -143,6 +143,19 @@ std::string out_of_limits(const Context& context, const Variable& variable, cons
     return "";
 }
 
+void check_flags(const Context& context) {
+    constexpr std::uint64_t known = 3;
+    for_each_part(context, [&](const Group&, const Part& part) {
+        const std::uint32_t line = part.lines[ObjectKey::flags];
+        const auto flags = context.number(line);
+        if (flags && *flags > known && *flags <= eds::highest_u32) {
+            context.reading.report(rules::eds_value_limits, context.document.value_span(line),
+                                   fmt::format("ObjFlags of {} is 0x{:X}; only bits 0 and 1 have a meaning",
+                                               context.label(part), *flags));
+        }
+    });
+}
+
 }  // namespace
 
 void check_octal_numbers(const Context& context) {
@@ -182,6 +195,7 @@ void check_limits(const Context& context) {
 }
 
 void check_values_in_limits(const Context& context) {
+    check_flags(context);
     for_each_part(context, [&](const Group&, const Part& part) {
         const Variable* const variable = part.variable;
         if (variable == nullptr || has_crossed_limits(*variable)) {

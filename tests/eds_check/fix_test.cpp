@@ -2,8 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <random>
 
+#include "diagnostic/rules/eds_check.hpp"
 #include "eds_check/checked.hpp"
 #include "support/valid_data_sheet.hpp"
 
@@ -153,6 +155,31 @@ TEST(Fix, repairs_nothing_where_it_is_not_certain_what_the_sheet_says) {
         EXPECT_TRUE(fixed.repairs.empty()) << doubt;
         EXPECT_FALSE(fixed.doubts.all().empty()) << doubt;
     }
+}
+
+TEST(Fix, writes_only_file_names_that_an_eds_can_hold) {
+    const std::string text = test::data_sheet_with("[FileInfo]\nFileName=other.eds\n");
+    for (const std::string_view name : {"a;b.eds", "ger\xC3\xA4t.eds", " a.eds", "a\nb.eds"}) {
+        EXPECT_EQ(fix(text, "a.eds", {.file_name = std::string(name)}).text, text) << name;
+    }
+    EXPECT_EQ(fix(text, "a.eds", {.file_name = std::string(400, 'a')}).text, text);
+    EXPECT_NE(fix(text, "a.eds", {.file_name = "two words.eds"}).text.find("FileName=two words.eds\n"),
+              std::string::npos);
+}
+
+// A list whose entries all stand there twice, with numbers that all are wrong.
+TEST(Fix, is_linear_in_the_length_of_a_list) {
+    constexpr unsigned entries = 30'000;
+    std::string text = "[OptionalObjects]\nSupportedObjects=1\n";
+    for (unsigned i = 0; i < entries; ++i) {
+        text += fmt::format("{}=0x{:04X}\n", 7 * (entries - i), 0x1000 + i / 2);
+    }
+    const auto begin = std::chrono::steady_clock::now();
+    const Fixed fixed = fixed_of(text);
+    EXPECT_EQ(test::count_of(test::checked(fixed.text), diagnostic::rules::eds_listed_twice), 0U);
+    EXPECT_EQ(test::count_of(test::checked(fixed.text), diagnostic::rules::eds_list_numbers), 0U);
+    EXPECT_NE(fixed.text.find(fmt::format("SupportedObjects={}\n", entries / 2)), std::string::npos);
+    EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(60));  // with sanitizers
 }
 
 TEST(Fix, mends_more_findings_of_a_kind_than_are_told) {

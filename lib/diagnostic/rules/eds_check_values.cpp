@@ -51,7 +51,7 @@ const Rule eds_value_limits{
     .code = "E0863",
     .name = "eds-value-limits",
     .level = Level::warning,
-    .summary = "values lie between LowLimit and HighLimit, and in their type with every node id",
+    .summary = "values lie within their limits, with every node id within their type; ObjFlags has two bits",
     .reference = "",
     .why = "Either the value or the limit is wrong. Tools refuse the value that the device has.",
     .example = Example::data_sheet_lines,

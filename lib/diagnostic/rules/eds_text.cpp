@@ -7,11 +7,11 @@ const Rule eds_text{
     .code = "E0801",
     .name = "eds-text",
     .level = Level::error,
-    .summary = "an EDS or DCF is text with sections, one byte per character",
+    .summary = "an EDS or DCF is text with sections of CiA 306, one byte per character",
     .reference = "",
     .why =
-        "Nothing can be read from another kind of file, or from one saved as UTF-16. A byte 0 inside an "
-        "EDS means that it was damaged on its way.",
+        "Nothing can be read from another kind of file, be it made of sections as well, or from one saved as "
+        "UTF-16. A byte 0 inside an EDS means that it was damaged on its way.",
     .example = Example::none,
     .bad = "",
     .good = ""};
