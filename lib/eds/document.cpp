@@ -1,7 +1,10 @@
 #include "eds/document.hpp"
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cstring>
+#include <numeric>
 #include <utility>
 
 #include "base/ascii.hpp"
@@ -15,13 +18,51 @@ constexpr bool is_blank(char c) {
     return c == ' ' || c == '\t';
 }
 
+// By character.
+constexpr auto lower_case = [] {
+    std::array<std::uint8_t, 0x100> table{};
+    for (unsigned c = 0; c < table.size(); ++c) {
+        table[c] = static_cast<std::uint8_t>(base::lower(static_cast<char>(c)));
+    }
+    return table;
+}();
+
 // FNV-1a. Names made to collide cost nothing: equal hashes are ordered by name.
 std::uint64_t hash_ignoring_case(std::string_view name) {
     std::uint64_t hash = 0xCBF29CE484222325U;
     for (const char c : name) {
-        hash = (hash ^ static_cast<std::uint8_t>(base::lower(c))) * 0x100000001B3U;
+        hash = (hash ^ lower_case[static_cast<std::uint8_t>(c)]) * 0x100000001B3U;
     }
     return hash;
+}
+
+// Numbers of the hashes in their order, of equal ones in that of the numbers: put into as many buckets as
+// there are hashes, by their first bits, then sorted within each.
+std::vector<std::uint32_t> order_of(const std::vector<std::uint64_t>& hashes) {
+    std::vector<std::uint32_t> order(hashes.size());
+    if (hashes.empty()) {
+        return order;
+    }
+    const auto bits = static_cast<unsigned>(std::bit_width(hashes.size()));
+    const auto bucket_of = [shift = 64 - bits](std::uint64_t hash) { return hash >> shift; };
+    std::vector<std::uint32_t> begins((std::size_t{1} << bits) + 1);
+    for (const std::uint64_t hash : hashes) {
+        ++begins[bucket_of(hash) + 1];
+    }
+    std::partial_sum(begins.begin(), begins.end(), begins.begin());
+    std::vector<std::uint32_t> free = begins;
+    for (std::uint32_t number = 0; number < hashes.size(); ++number) {
+        order[free[bucket_of(hashes[number])]++] = number;
+    }
+    const auto is_less = [&](std::uint32_t a, std::uint32_t b) {
+        return hashes[a] != hashes[b] ? hashes[a] < hashes[b] : a < b;
+    };
+    for (std::size_t bucket = 0; bucket + 1 < begins.size(); ++bucket) {
+        if (begins[bucket + 1] - begins[bucket] > 1) {
+            std::sort(order.begin() + begins[bucket], order.begin() + begins[bucket + 1], is_less);
+        }
+    }
+    return order;
 }
 
 bool less_ignoring_case(std::string_view a, std::string_view b) {
@@ -29,26 +70,11 @@ bool less_ignoring_case(std::string_view a, std::string_view b) {
                                         [](char x, char y) { return base::lower(x) < base::lower(y); });
 }
 
-// The next of one character, remembered until it is passed: each byte is looked at once for each of them.
-class Next {
-  public:
-    Next(const std::string& text, char wanted) : text_(text), wanted_(wanted) {}
-
-    // At or behind `from`, which never goes back; the end of the text when there is none.
-    std::size_t at(std::size_t from) {
-        if (found_ < from || !searched_) {
-            found_ = std::min(text_.find(wanted_, from), text_.size());
-            searched_ = true;
-        }
-        return found_;
-    }
-
-  private:
-    const std::string& text_;
-    char wanted_;
-    std::size_t found_ = 0;
-    bool searched_ = false;
-};
+// The first of a character in [begin, end); `end` when there is none.
+const char* next_of(const char* begin, const char* end, char wanted) {
+    const void* const found = std::memchr(begin, wanted, static_cast<std::size_t>(end - begin));
+    return found != nullptr ? static_cast<const char*>(found) : end;
+}
 
 }  // namespace
 
@@ -61,49 +87,60 @@ Document::Document(std::string text) : text_(std::move(text)) {
 void Document::read_lines() {
     constexpr std::size_t usual_line = 18;  // bytes
     lines_.reserve(text_.size() / usual_line + 1);
-    Next line_feed(text_, '\n');
-    Next carriage_return(text_, '\r');
-    for (std::size_t at = text_begin_; at < text_.size();) {
-        const std::size_t end = std::min(line_feed.at(at), carriage_return.at(at));
-        const bool crlf = end + 1 < text_.size() && text_[end] == '\r' && text_[end + 1] == '\n';
-        Line& line = lines_.emplace_back();
-        line.begin = static_cast<std::uint32_t>(at);
-        line.end = static_cast<std::uint32_t>(end);
-        line.line_end = end == text_.size()  ? LineEnd::none
-                        : crlf               ? LineEnd::crlf
-                        : text_[end] == '\n' ? LineEnd::lf
-                                             : LineEnd::cr;
-        classify(line);
-        const auto number = static_cast<std::uint32_t>(lines_.size() - 1);
-        if (line.kind == LineKind::section) {
-            sections_.push_back({number, number + 1});
-        } else if (!sections_.empty()) {
-            sections_.back().end = number + 1;
+    const char* const text = text_.data();
+    const char* const text_end = text + text_.size();
+    const char* carriage_return = nullptr;  // the next one; each byte is looked at once for it
+    const char* line_feed = nullptr;
+    for (const char* at = text + text_begin_; at != text_end;) {
+        line_feed = line_feed < at ? next_of(at, text_end, '\n') : line_feed;
+        carriage_return = carriage_return < at ? next_of(at, text_end, '\r') : carriage_return;
+        const char* const end = std::min(line_feed, carriage_return);
+        const char* next = end;
+        Line line;
+        line.begin = static_cast<std::uint32_t>(at - text);
+        line.end = static_cast<std::uint32_t>(end - text);
+        if (end + 1 == line_feed && line_feed != text_end) {
+            line.line_end = LineEnd::crlf;
+            next += 2;
+        } else if (end != text_end) {
+            line.line_end = end == line_feed ? LineEnd::lf : LineEnd::cr;
+            next += 1;
         }
-        at = end + (crlf ? 2 : 1);
+        classify(line, at, end);
+        if (line.kind == LineKind::section) {
+            close_section();
+            sections_.push_back({static_cast<std::uint32_t>(lines_.size()), 0});
+        }
+        lines_.push_back(line);
+        at = next;
+    }
+    close_section();
+}
+
+// The last section ends with the lines so far.
+void Document::close_section() {
+    if (!sections_.empty()) {
+        sections_.back().end = static_cast<std::uint32_t>(lines_.size());
     }
 }
 
-void Document::classify(Line& line) const {
-    const char* const text = text_.data();
-    std::uint32_t first = line.begin;
-    while (first < line.end && is_blank(text[first])) {
+void Document::classify(Line& line, const char* begin, const char* end) {
+    const char* first = begin;
+    while (first != end && is_blank(*first)) {
         ++first;
     }
-    if (first == line.end) {
+    if (first == end) {
         return;
     }
-    line.mark = line.end;
-    if (text[first] == ';' || text[first] == '#') {
+    if (*first == ';' || *first == '#') {
         line.kind = LineKind::comment;
+        line.mark = line.end;
         return;
     }
-    line.kind = text[first] == '[' ? LineKind::section : LineKind::other;
-    const char mark = text[first] == '[' ? ']' : '=';
-    if (const void* const found = std::memchr(text + first, mark, line.end - first)) {
-        line.mark = static_cast<std::uint32_t>(static_cast<const char*>(found) - text);
-        line.kind = mark == '=' ? LineKind::entry : LineKind::section;
-    }
+    const bool is_section = *first == '[';
+    const char* const mark = next_of(first, end, is_section ? ']' : '=');
+    line.mark = line.begin + static_cast<std::uint32_t>(mark - begin);
+    line.kind = is_section ? LineKind::section : mark != end ? LineKind::entry : LineKind::other;
 }
 
 void Document::index_names() {
@@ -111,19 +148,11 @@ void Document::index_names() {
     for (const Section& section : sections_) {
         hashes_.push_back(hash_ignoring_case(name(section)));
     }
-    std::vector<std::pair<std::uint64_t, std::uint32_t>> order;
-    order.reserve(sections_.size());
-    for (std::uint32_t number = 0; number < sections_.size(); ++number) {
-        order.emplace_back(hashes_[number], number);
-    }
-    std::sort(order.begin(), order.end());
-    by_name_.reserve(order.size());
-    for (const auto& [hash, number] : order) {
-        by_name_.push_back(number);
-    }
-    for (std::size_t begin = 0, end = 0; begin < order.size(); begin = end) {
+    by_name_ = order_of(hashes_);
+    const auto hash_at = [this](std::size_t place) { return hashes_[by_name_[place]]; };
+    for (std::size_t begin = 0, end = 0; begin < by_name_.size(); begin = end) {
         bool alike = true;
-        for (end = begin + 1; end < order.size() && order[end].first == order[begin].first; ++end) {
+        for (end = begin + 1; end < by_name_.size() && hash_at(end) == hash_at(begin); ++end) {
             alike = alike && same_name(by_name_[begin], by_name_[end]);
         }
         if (!alike) {

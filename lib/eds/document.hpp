@@ -104,7 +104,8 @@ class Document {
 
   private:
     void read_lines();
-    void classify(Line& line) const;
+    void close_section();
+    static void classify(Line& line, const char* begin, const char* end);
     void index_names();
     void sort_by_name(std::size_t begin, std::size_t end);
     Span trimmed(std::uint32_t line, std::uint32_t begin, std::uint32_t end) const {

@@ -1,5 +1,6 @@
 #include "eds/number.hpp"
 
+#include <array>
 #include <limits>
 
 #include "base/ascii.hpp"
@@ -18,29 +19,49 @@ bool is_suffix(char c) {
     return base::lower(c) == 'u' || base::lower(c) == 'l';
 }
 
-std::uint8_t digit_of(char c) {
-    constexpr std::uint8_t none = 0xFF;
-    if (base::is_digit(c)) {
-        return static_cast<std::uint8_t>(c - '0');
+// Of a character, the digit that it is; 255: none.
+constexpr auto digits_by_character = [] {
+    std::array<std::uint8_t, 0x100> digits{};
+    digits.fill(0xFF);
+    for (std::uint8_t digit = 0; digit < 16; ++digit) {
+        const char c = "0123456789abcdef"[digit];
+        digits[static_cast<std::uint8_t>(c)] = digit;
+        digits[static_cast<std::uint8_t>(c >= 'a' ? c - 'a' + 'A' : c)] = digit;
     }
-    const char letter = base::lower(c);
-    return letter >= 'a' && letter <= 'f' ? static_cast<std::uint8_t>(letter - 'a' + 10) : none;
-}
+    return digits;
+}();
 
 void read_digits(std::string_view digits, std::uint64_t radix, Number& number) {
     number.reading = digits.empty() ? Number::Reading::none : Number::Reading::number;
+    constexpr std::uint64_t most = std::numeric_limits<std::uint64_t>::max();
+    const std::uint64_t room = most / radix;  // below it every digit fits
     for (const char c : digits) {
-        const std::uint64_t digit = digit_of(c);
+        const std::uint64_t digit = digits_by_character[static_cast<std::uint8_t>(c)];
         if (digit >= radix) {
             number.reading = Number::Reading::none;
             return;
         }
-        if (number.magnitude > (std::numeric_limits<std::uint64_t>::max() - digit) / radix) {
+        if (number.magnitude >= room && (number.magnitude > room || digit > most - room * radix)) {
             number.reading = Number::Reading::too_large;  // and still no number, should a letter follow
         } else {
             number.magnitude = number.magnitude * radix + digit;
         }
     }
+}
+
+// Of 0x and up to sixteen digits, which most numbers are; false for all others.
+bool is_plain_hexadecimal(std::string_view text, std::uint64_t& magnitude) {
+    constexpr std::size_t longest = 18;
+    if (text.size() > longest || !has_hexadecimal_prefix(text)) {
+        return false;
+    }
+    std::uint8_t odd = 0;  // has a high bit when one of them is no digit
+    for (const char c : text.substr(2)) {
+        const std::uint8_t digit = digits_by_character[static_cast<std::uint8_t>(c)];
+        odd |= digit;
+        magnitude = magnitude << 4U | digit;
+    }
+    return odd < 16;
 }
 
 Number parse_literal(std::string_view text) {
@@ -101,6 +122,10 @@ Number parse_formula(std::string_view text) {
 }  // namespace
 
 Number parse_number(std::string_view text) {
+    Number plain{.reading = Number::Reading::number};
+    if (is_plain_hexadecimal(text, plain.magnitude)) {
+        return plain;
+    }
     const Number literal = parse_literal(text);
     const bool is_formula =
         literal.reading == Number::Reading::none && text.find('$') != std::string_view::npos;

@@ -118,9 +118,13 @@ bool read_into(Variable& variable, Reading& reading, const Section& section, con
     } else {
         variable.no_default = true;
     }
-    variable.low_limit = reading.value(lines[ObjectKey::low_limit], *type);
-    variable.high_limit = reading.value(lines[ObjectKey::high_limit], *type);
-    variable.parameter_value = reading.value(lines[ObjectKey::parameter_value], *type);
+    for (const auto& [key, value] : {std::pair(ObjectKey::low_limit, &variable.low_limit),
+                                     std::pair(ObjectKey::high_limit, &variable.high_limit),
+                                     std::pair(ObjectKey::parameter_value, &variable.parameter_value)}) {
+        if (lines[key] != 0) {
+            *value = reading.value(lines[key], *type);
+        }
+    }
     reading.assign_text(lines[ObjectKey::denotation], variable.denotation);
     reading.assign_text(lines[ObjectKey::upload_file], variable.upload_file);
     reading.assign_text(lines[ObjectKey::download_file], variable.download_file);

@@ -41,8 +41,12 @@ void judge_lines(Reading& reading) {
     const Document& document = reading.document;
     const auto count = static_cast<std::uint32_t>(document.lines().size());
     const std::uint32_t preamble_end = document.preamble_end();
+    const std::span<const Line> lines = document.lines();
     for (std::uint32_t line = 0; line < count; ++line) {
-        const Line& each = document.lines()[line];
+        const Line& each = lines[line];
+        if (each.kind == LineKind::entry && line >= preamble_end) {
+            continue;
+        }
         if (each.kind == LineKind::other) {
             reading.report(rules::eds_line, document.line_span(line),
                            "this line is no section, no entry and no comment; it is passed over");

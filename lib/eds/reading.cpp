@@ -70,8 +70,8 @@ KeyLines Reading::key_lines(const Section& of, std::span<const KeyRow> rows) {
         for (std::size_t i = 0; i < rows.size(); ++i) {
             const std::size_t at = expected + i < rows.size() ? expected + i : expected + i - rows.size();
             const KeyRow& row = rows[at];
-            if (row.name != key &&
-                (row.name.size() != key.size() || !base::equal_ignoring_case(row.name, key))) {
+            if (row.name.size() != key.size() ||
+                (row.name != key && !base::equal_ignoring_case(row.name, key))) {
                 continue;
             }
             expected = at + 1 < rows.size() ? at + 1 : 0;

@@ -127,8 +127,10 @@ SectionName module_name(std::string_view name) {
 constexpr unsigned section_bits = 24;
 static_assert(largest_text / 2 <= 1U << section_bits);
 
+constexpr unsigned index_at = 40;  // bit of a key
+
 std::uint64_t key_of(const SectionName& name) {
-    return std::uint64_t{name.module} << 56U | std::uint64_t{name.index} << 40U |
+    return std::uint64_t{name.module} << 56U | std::uint64_t{name.index} << index_at |
            static_cast<std::uint64_t>(name.kind) << 32U | std::uint64_t{name.sub_index} << section_bits;
 }
 
@@ -160,8 +162,13 @@ SectionTable::SectionTable(const Document& document) {
         keys_.push_back(key_of(name) | names_.size());
         names_.push_back(name);
     }
-    if (!std::is_sorted(keys_.begin(), keys_.end())) {
-        std::sort(keys_.begin(), keys_.end());
+    // Files mostly have their objects in order, with lists of them between: those without index come first.
+    const auto objects = std::stable_partition(keys_.begin(), keys_.end(),
+                                               [](std::uint64_t key) { return key >> index_at == 0; });
+    for (const auto& [begin, end] : {std::pair(keys_.begin(), objects), std::pair(objects, keys_.end())}) {
+        if (!std::is_sorted(begin, end)) {
+            std::sort(begin, end);
+        }
     }
     ordered_.reserve(keys_.size());
     for (const std::uint64_t key : keys_) {

@@ -113,6 +113,14 @@ class Fix(Case):
         self.assertIn(b":12: repaired: RO becomes ro [E0859 eds-access-case]", result.stderr)
         self.assertEqual((out / "CANopenGateway.eds").read_bytes(), self.eds.read_bytes())
 
+    def test_in_place_keeps_a_symbolic_link(self):
+        link = self.dir / "links" / "CANopenGateway.eds"
+        link.parent.mkdir()
+        link.symlink_to(self.broken)
+        self.assertEqual(cgw("eds", "fix", link, "--in-place").returncode, 0)
+        self.assertTrue(link.is_symlink())
+        self.assertEqual(self.broken.read_bytes(), self.eds.read_bytes())
+
     def test_in_place_changes_the_file_and_a_second_run_nothing(self):
         self.assertEqual(cgw("eds", "fix", self.broken, "--in-place").returncode, 0)
         self.assertEqual(self.broken.read_bytes(), self.eds.read_bytes())
