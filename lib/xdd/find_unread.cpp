@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <utility>
 
 #include "base/utf8.hpp"
 #include "xdd/reading.hpp"
@@ -21,8 +22,6 @@ struct ElementRow {
     bool whole = false;   // what it contains is known to say nothing more
 };
 
-constexpr std::string_view product_text = "productText";
-
 constexpr std::array rows{
     ElementRow{"ISO15745Profile"},
     ElementRow{"ProfileHeader", {}, false, true},
@@ -36,7 +35,8 @@ constexpr std::array rows{
     ElementRow{"vendorID", {"readOnly"}, true},
     ElementRow{"productName", {"readOnly"}, true},
     ElementRow{"productID", {"readOnly"}, true},
-    ElementRow{product_text, {"readOnly"}, true},
+    ElementRow{"productText", {"readOnly"}, true},
+    ElementRow{"description", {"lang"}, true},
     ElementRow{"orderNumber", {"readOnly"}, true},
     ElementRow{"version", {"versionType", "readOnly"}},
     ElementRow{"DeviceManager", {}, true},
@@ -114,11 +114,12 @@ bool says_nothing(pugi::xml_attribute attribute) {
 class Finder {
   public:
     void look_into(pugi::xml_node element) {
+        Seen seen{};
         for (const pugi::xml_node child : element.children()) {
             if (child.type() == pugi::node_comment) {
                 ++comments_;
             } else if (child.type() == pugi::node_element) {
-                look_at(child);
+                look_at(child, seen);
             }
         }
     }
@@ -138,18 +139,19 @@ class Finder {
     }
 
   private:
-    void look_at(pugi::xml_node element) {
+    using Seen = std::array<bool, rows.size()>;  // by row: one stands in the same element already
+
+    void look_at(pugi::xml_node element, Seen& seen) {
         const std::string_view name = local_name(element.name());
         const ElementRow* const row = row_of(name);
         if (is_elementary_type(name)) {
             return;
         }
-        if (depth_ == deepest || (row == nullptr && !is_description_of_product(element)) ||
-            is_repeated(row, element) || is_passed_over(element)) {
+        if (depth_ == deepest || row == nullptr || is_passed_over(element) || is_repeated(*row, seen)) {
             ++elements_[name];
             return;
         }
-        if (row == nullptr || row->whole) {
+        if (row->whole) {
             return;
         }
         for (const pugi::xml_attribute attribute : element.attributes()) {
@@ -164,19 +166,16 @@ class Finder {
         --depth_;
     }
 
-    static bool is_description_of_product(pugi::xml_node element) {
-        return local_name(element.name()) == "description" &&
-               local_name(element.parent().name()) == product_text &&
-               Source::child(element.parent(), "description") == element;
-    }
-
-    static bool is_repeated(const ElementRow* row, pugi::xml_node element) {
-        return row != nullptr && row->single && Source::child(element.parent(), row->name) != element;
+    static bool is_repeated(const ElementRow& row, Seen& seen) {
+        return std::exchange(seen.at(static_cast<std::size_t>(&row - rows.data())), true) && row.single;
     }
 
     // Known elements of which only some are read, by what they say.
     static bool is_passed_over(pugi::xml_node element) {
         const std::string_view name = local_name(element.name());
+        if (name == "description") {
+            return local_name(element.parent().name()) != "productText";
+        }
         if (name == "version") {
             return std::string_view(element.attribute("versionType").value()) != "FW";
         }

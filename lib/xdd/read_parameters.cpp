@@ -11,6 +11,7 @@ namespace cgw::xdd {
 namespace {
 
 constexpr unsigned deepest_type = 8;
+constexpr std::size_t most_looked_through = 64U * 1024U * 1024U;
 
 struct List {
     std::string_view list;
@@ -36,7 +37,7 @@ Parameters::Parameters(Source& source, pugi::xml_node device_body) : source_(sou
         for (const List& row : lists) {
             Source::each_child(Source::child(process, row.list), row.element, [this](pugi::xml_node each) {
                 const pugi::xml_attribute id = each.attribute("uniqueID");
-                const bool is_new = !id || by_id_.emplace(id.value(), each).second;
+                const bool is_new = !id || by_id_.emplace(id.value(), Named{each, length_of(each)}).second;
                 if (!is_new) {
                     source_.report(diagnostic::rules::xdd_twice, each, id,
                                    fmt::format("{} is the uniqueID of another element already; this one is "
@@ -50,7 +51,35 @@ Parameters::Parameters(Source& source, pugi::xml_node device_body) : source_(sou
 
 pugi::xml_node Parameters::find(const char* id) const {
     const auto found = by_id_.find(id);
-    return found != by_id_.end() ? found->second : pugi::xml_node();
+    return found != by_id_.end() && looked_through_ <= most_looked_through ? found->second.element
+                                                                           : pugi::xml_node();
+}
+
+void Parameters::charge(const char* id) const {
+    const auto found = by_id_.find(id);
+    if (found == by_id_.end() || looked_through_ > most_looked_through) {
+        return;
+    }
+    looked_through_ += found->second.length;
+    if (looked_through_ > most_looked_through) {
+        source_.report_whole_file(
+            diagnostic::rules::xdd_reference,
+            fmt::format(
+                "objects refer to long parameters so often that more than {} MiB would have to be read; "
+                "what they say is left out from here on",
+                most_looked_through / 1024 / 1024));
+    }
+}
+
+// From its name to that of the element behind it.
+std::size_t Parameters::length_of(pugi::xml_node element) const {
+    for (pugi::xml_node at = element; at; at = at.parent()) {
+        if (const pugi::xml_node next = at.next_sibling()) {
+            return static_cast<std::size_t>(
+                std::max<std::ptrdiff_t>(next.offset_debug() - element.offset_debug(), 0));
+        }
+    }
+    return source_.length() - static_cast<std::size_t>(std::max<std::ptrdiff_t>(element.offset_debug(), 0));
 }
 
 pugi::xml_node Parameters::of(pugi::xml_node object) {
@@ -58,11 +87,13 @@ pugi::xml_node Parameters::of(pugi::xml_node object) {
     if (!reference || *reference.value() == '\0') {
         return {};
     }
+    charge(reference.value());
     const pugi::xml_node parameter = find(reference.value());
     if (!parameter) {
         source_.report(diagnostic::rules::xdd_reference, object, reference,
                        fmt::format("{} names no parameter of this file", quoted(reference.value())));
     }
+    charge(parameter.attribute("templateIDRef").value());
     return parameter;
 }
 
@@ -95,6 +126,7 @@ const dictionary::TypeRow* Parameters::type_in(pugi::xml_node element, unsigned 
             return &dictionary::row_of(row->type);
         }
         if (name == "dataTypeIDRef" && depth < deepest_type) {
+            charge(child.attribute("uniqueIDRef").value());
             return type_in(find(child.attribute("uniqueIDRef").value()), depth + 1);
         }
     }

@@ -16,7 +16,8 @@ struct Parts {
     pugi::xml_node objects;  // CANopenObjectList
 };
 
-// The parameters of a file by their uniqueID, and what they refer to.
+// The parameters of a file by their uniqueID, and what they refer to. Any number of objects may refer to one
+// long parameter: what is looked through for them all is bounded, and what is beyond is a finding.
 class Parameters {
   public:
     Parameters(Source& source, pugi::xml_node device_body);
@@ -38,10 +39,18 @@ class Parameters {
   private:
     pugi::xml_node template_of(pugi::xml_node parameter) const;
     pugi::xml_node find(const char* id) const;
+    void charge(const char* id) const;  // an object has what this names looked through
+    std::size_t length_of(pugi::xml_node element) const;
     const dictionary::TypeRow* type_in(pugi::xml_node element, unsigned depth) const;
 
+    struct Named {
+        pugi::xml_node element;
+        std::size_t length = 0;  // characters of its text, about
+    };
+
     Source& source_;
-    std::unordered_map<std::string_view, pugi::xml_node> by_id_;  // of all elements that have a uniqueID
+    std::unordered_map<std::string_view, Named> by_id_;  // of all elements that have a uniqueID
+    mutable std::size_t looked_through_ = 0;             // characters of what was referred to
 };
 
 void read_information(Source& source, const Parts& parts, dictionary::Dictionary& dictionary);

@@ -27,6 +27,7 @@ class Source {
     // False after a finding, when the text is not well-formed.
     bool parse();
     pugi::xml_node root() const { return document_.document_element(); }
+    std::size_t length() const { return text_.size(); }  // in UTF-8
 
     void report(const diagnostic::Rule& rule, pugi::xml_node element, std::string message,
                 std::string help = "");
@@ -51,12 +52,11 @@ class Source {
 
     // Of an attribute that is there and not empty. Nothing after a finding, when it is no such value.
 
-    std::optional<std::uint64_t> number(pugi::xml_node element, const char* attribute, std::uint64_t highest);
-    std::optional<std::uint64_t> hexadecimal(pugi::xml_node element, const char* attribute,
-                                             std::uint64_t highest);
-    std::optional<bool> flag(pugi::xml_node element, const char* attribute);
+    std::optional<std::uint64_t> number(pugi::xml_node element, const char* name, std::uint64_t highest);
+    std::optional<std::uint64_t> hexadecimal(pugi::xml_node element, const char* name, std::uint64_t highest);
+    std::optional<bool> flag(pugi::xml_node element, const char* name);
     // A string may be empty.
-    std::optional<dictionary::Value> value(pugi::xml_node element, const char* attribute,
+    std::optional<dictionary::Value> value(pugi::xml_node element, const char* name,
                                            const dictionary::TypeRow& type);
 
   private:

@@ -121,7 +121,7 @@ std::optional<Value> Source::numeric(pugi::xml_node element, pugi::xml_attribute
         report(rules::xdd_number_form, element, attribute, quoted(attribute),
                fmt::format("write $NODEID+0x{:X}", number.magnitude));
     }
-    const std::optional<Value> value = eds::value_of(number, type);
+    std::optional<Value> value = eds::value_of(number, type);
     if (!value) {
         refuse_range(element, attribute, fmt::format(", which is too large for {}", type.name));
     }
@@ -140,7 +140,7 @@ std::optional<Value> Source::real(pugi::xml_node element, pugi::xml_attribute at
         refuse(element, attribute, "no number");
         return std::nullopt;
     }
-    const std::optional<Value> value = eds::real_value(*number, type);
+    std::optional<Value> value = eds::real_value(*number, type);
     if (!value) {
         refuse_range(element, attribute, fmt::format(", which is too large for {}", type.name));
     }

@@ -38,7 +38,7 @@ void header(XmlPrinter& out, const Header& of) {
 
 std::string write_all(const Dictionary& dictionary, const Commissioning* node) {
     XmlPrinter out;
-    out.line("<?xml version=\"1.0\" encoding=\"UTF-8\"?>");
+    out.line(R"(<?xml version="1.0" encoding="UTF-8"?>)");
     out.open("ISO15745ProfileContainer", {{"xmlns", std::string(name_space)},
                                           {"xmlns:co", std::string(name_space)},
                                           {"xmlns:xsi", "http://www.w3.org/2001/XMLSchema-instance"}});

@@ -62,6 +62,32 @@ TEST(HostileXdd, has_findings_counted_beyond_the_first_hundred_of_a_kind) {
               "900 more findings of this kind are not told one by one");
 }
 
+// As many objects as there can be, and one long parameter, template and type for all of them.
+TEST(HostileXdd, may_refer_to_one_long_parameter_from_everywhere) {
+    std::string objects;
+    for (int i = 0x1000; i < 0x5000; ++i) {
+        objects += fmt::format("<CANopenObject index=\"{:X}\" objectType=\"7\" uniqueIDRef=\"P\"/>\n", i);
+    }
+    const Result result(test::device_description("<parameter uniqueID=\"P\" access=\"read\"><description>" +
+                                                     std::string(400'000, 'x') +
+                                                     "</description><UINT/></parameter>\n",
+                                                 objects));
+    EXPECT_TRUE(result.findings.has_errors());
+    EXPECT_FALSE(result.sheet.dictionary.objects.empty());
+}
+
+TEST(HostileXdd, may_refer_to_one_short_parameter_from_everywhere) {
+    std::string objects;
+    for (int i = 0x1000; i < 0x10000; ++i) {
+        objects += fmt::format("<CANopenObject index=\"{:X}\" objectType=\"7\" uniqueIDRef=\"P\"/>\n", i);
+    }
+    const Result result(test::device_description(
+        "<parameter uniqueID=\"P\" access=\"read\"><label lang=\"en\">V</label><UINT/></parameter>\n",
+        objects));
+    EXPECT_EQ(result.told(), "");
+    EXPECT_EQ(result.sheet.dictionary.objects.size(), 0xF000U);
+}
+
 TEST(HostileXdd, in_latin_1_has_its_findings_where_they_stand_in_the_file) {
     const Result result(test::device_description(
         "", "<CANopenObject index=\"2000\" name=\"Gr\xF6\xDF\x65\" dataType=\"0005\" accessType=\"x\"/>"));

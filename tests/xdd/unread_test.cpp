@@ -46,6 +46,19 @@ TEST(XddUnread, counts_nothing_in_what_cgw_writes) {
     }
 }
 
+// Each element is looked at once, whatever stands before it.
+TEST(XddUnread, counts_many_in_one_element_in_linear_time) {
+    std::string many;
+    for (int i = 0; i < 60000; ++i) {
+        many += "<a/>";
+    }
+    for (int i = 0; i < 60000; ++i) {
+        many += "<label/>";
+    }
+    EXPECT_EQ(unread_of(test::device_description("<parameter uniqueID=\"P\">" + many + "</parameter>", "")),
+              "element a 60000\nelement label 59999\n");
+}
+
 TEST(XddUnread, counts_in_any_depth) {
     std::string text = "<ISO15745ProfileContainer>";
     for (int i = 0; i < 100000; ++i) {
