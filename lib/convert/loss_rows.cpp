@@ -12,7 +12,6 @@
 namespace cgw::convert {
 namespace {
 
-using dictionary::Dictionary;
 using dictionary::Object;
 using dictionary::Value;
 using dictionary::Variable;
