@@ -20,6 +20,7 @@ base::Bytes emit_image_source(const Plant& plant, const Options& options);
 base::Bytes emit_c_header(const Plant& plant, const Options& options);
 base::Bytes emit_python_canopen(const Plant& plant, const Options& options);
 base::Bytes emit_structured_text(const Plant& plant, const Options& options);
+base::Bytes emit_stx(const Plant& plant, const Options& options);
 base::Bytes emit_points(const Plant& plant, const Options& options);
 
 std::span<const Format> pdo_table_formats();

@@ -32,4 +32,8 @@ base::Bytes emit_structured_text(const Plant& plant, const Options& /*options*/)
     return base::to_bytes(partner::structured_text(partner_half(plant)));
 }
 
+base::Bytes emit_stx(const Plant& plant, const Options& /*options*/) {
+    return base::to_bytes(partner::stx(partner_half(plant)));
+}
+
 }  // namespace cgw::emit

@@ -23,6 +23,7 @@ constexpr std::array image_source_formats{Format{"cpp", "", false, image_options
 // The partner's programs have build directories of their own: on demand only.
 constexpr std::array c_header_formats{Format{"h", ""}};
 constexpr std::array structured_text_formats{Format{"st", ""}};
+constexpr std::array stx_formats{Format{"stx", ""}};
 constexpr std::array python_canopen_formats{Format{"py", ""}};
 constexpr std::array points_formats{Format{"csv", ""}};
 constexpr std::array<std::string_view, 2> eds_options{"--generic", "--eds-name"};
@@ -63,6 +64,7 @@ std::span<const Emitter> all_emitters() {
                 emit_c_header},
         Emitter{"structured-text", "for the partner's program: the same in IEC 61131-3 Structured Text",
                 structured_text_formats, emit_structured_text},
+        Emitter{"stx", "for the partner's program: calls of Jetter's CANopen STX API", stx_formats, emit_stx},
         Emitter{"python-canopen", "for the partner's program: Python, with and without its library canopen",
                 python_canopen_formats, emit_python_canopen},
         Emitter{"points", "for the partner's program: list of points for SCADA systems", points_formats,

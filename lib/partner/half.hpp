@@ -32,6 +32,7 @@ std::string c_header(const Half& half);
 std::string points(const Half& half);
 std::string python_canopen(const Half& half);
 std::string structured_text(const Half& half);
+std::string stx(const Half& half);
 
 // What the bit of a switch function is when it is on, 0 or 1; nothing for other signals, and where functions
 // that share the bit disagree.

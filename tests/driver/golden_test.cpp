@@ -49,6 +49,7 @@ TEST_P(Golden, text_table_is_unchanged_and_fits_80_columns) {
 TEST_P(Golden, partners_half_is_unchanged) {
     constexpr std::pair<std::string_view, std::string_view> files[] = {{"c-header", "partner.h"},
                                                                        {"structured-text", "partner.st"},
+                                                                       {"stx", "partner.stx"},
                                                                        {"python-canopen", "partner.py"},
                                                                        {"points", "points.csv"}};
     const CheckedFile file = sample(GetParam());

@@ -12,13 +12,13 @@ namespace cgw::emit {
 TEST(Emitters, are_found_by_name) {
     for (const std::string name :
          {"eds", "dcf", "xdd", "xdc", "concise-dcf", "dbc", "pdo-table", "entry-sheet", "image",
-          "image-source", "c-header", "structured-text", "python-canopen", "points"}) {
+          "image-source", "c-header", "structured-text", "stx", "python-canopen", "points"}) {
         ASSERT_NE(find_emitter(name), nullptr) << name;
         EXPECT_EQ(find_emitter(name)->name, name);
     }
     EXPECT_EQ(find_emitter("dbx"), nullptr);
     EXPECT_EQ(find_emitter(""), nullptr);
-    EXPECT_EQ(all_emitters().size(), 14U);
+    EXPECT_EQ(all_emitters().size(), 15U);
 }
 
 TEST(Emitters, have_a_summary_a_function_and_a_first_format) {

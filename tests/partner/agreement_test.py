@@ -5,7 +5,7 @@ Usage: agreement_test.py PARTNER_PROGRAM SOURCE_DIRECTORY
 
 Frames are those of a simulated run of each sample, and random ones. The C header is compiled as C99 and C++ with every
 warning an error, for the ARM as well where that compiler is installed, and run; Python is run; Structured Text is read
-by the strict reader in structured_text.py, and interpreted. The same again with hostile names and texts.
+by the strict reader in structured_text.py, and interpreted; STX is read by that in stx.py. The same again with hostile names and texts.
 """
 import csv
 import importlib.util
@@ -18,6 +18,7 @@ import types
 import unittest
 
 import structured_text
+import stx
 
 PROGRAM = sys.argv[1]
 SOURCES = pathlib.Path(sys.argv[2])
@@ -211,6 +212,38 @@ class Agreement(unittest.TestCase):
             difference = abs(module.raw_value(signal, found) - module.raw_value(signal, expected))
             self.assertLessEqual(difference, 1 if signal.scaled else 0, signal.name)
 
+    def test_stx(self):
+        for plant in PLANTS:
+            with self.subTest(plant=plant.name):
+                program = stx.Program(plant.text("partner.stx"))
+                module = python_module(plant)
+                self.assertEqual((program.started, program.operational), (module.NODE_ID, True))
+                self.assertEqual(program.own_node or 0, module.PARTNER_NODE_ID)
+                registers = (400100 + module.NODE_ID, 400228 + module.NODE_ID)
+                self.assertEqual(tuple(program.defines[f"GW{module.NODE_ID}_REG_{what}"] for what in ("STATE", "TIMEOUT")),
+                                 registers)
+                for pdo in module.PDOS:
+                    self.check_stx_pdo(program, module, pdo)
+                identifiers = {call[0] for call in program.received + program.sent}
+                self.assertEqual(identifiers, {pdo.cob_id for pdo in module.PDOS})
+
+    def check_stx_pdo(self, program, module, pdo):
+        """Each signal lies in a word that is received or sent, and its definitions say what Python's table says."""
+        words = program.words(program.received if pdo.read else program.sent, pdo.cob_id)
+        self.assertFalse(program.words(program.sent if pdo.read else program.received, pdo.cob_id))
+        signals = [signal for signal in pdo.signals]
+        bits = defined(program, module, pdo, "BIT")
+        factors, offsets = defined(program, module, pdo, "FACTOR"), defined(program, module, pdo, "OFFSET")
+        self.assertEqual(bits, [signal.first_bit % 16 for signal in signals if signal.bits == 1])
+        self.assertEqual(factors, [signal.factor for signal in signals if signal.scaled])
+        self.assertEqual(offsets, [signal.offset for signal in signals if signal.scaled])
+        for signal in signals:
+            signed, _, time = words[signal.first_bit // 16 * 2]
+            self.assertEqual(signed, signal.signed)
+            if pdo.time_us >= 4000:
+                self.assertLessEqual(time, pdo.time_us / (1000 if pdo.read else 4000))
+        self.assertLessEqual(max(words) + 2, pdo.length)
+
 
 class Network:
     """What the forms use of canopen.Network."""
@@ -268,6 +301,12 @@ def encoded_by_python(module, plant):
 
 def constant(program, pdo, what):
     return next(value[1] for name, value in program.constants.items() if name.endswith(f"_{pdo.name}_{what}"))
+
+
+def defined(program, module, pdo, what):
+    """The values of the definitions of one kind, in the order in which they stand."""
+    prefix = f"GW{module.NODE_ID}_{pdo.name}_{what}_"
+    return [value for name, value in program.defines.items() if name.startswith(prefix)]
 
 
 def type_name(module, pdo):

@@ -47,6 +47,28 @@ TEST(StructuredText, writes_reals_as_the_standard_does) {
     EXPECT_EQ(st_real(-1.5e20), "-1.5E+20");
 }
 
+TEST(Stx, says_when_the_controllers_heartbeat_comes_too_seldom) {
+    Half half = half_with(test::scaled_row(2000, "Speed", 0, 4000));
+    half.partner_node_id = 1;
+    half.partner_heartbeat_us = 1'000'000;
+    EXPECT_TRUE(has(stx(half), "must be set to less"));
+    half.partner_heartbeat_us = 1'000'001;
+    EXPECT_FALSE(has(stx(half), "must be set to less"));
+}
+
+TEST(Stx, has_a_timeout_of_twice_the_heartbeat) {
+    Half half = half_with(test::scaled_row(2000, "Speed", 0, 4000));
+    EXPECT_TRUE(has(stx(half), "// The gateway sends no heartbeat: leave the timeout at 0.\n"));
+    half.heartbeat_us = 796'875;
+    EXPECT_TRUE(has(stx(half), "#Define GW5_TIMEOUT_MS 1594\n"));
+}
+
+TEST(Stx, initialises_no_controller_whose_node_nobody_knows) {
+    const std::string text = stx(half_with(test::scaled_row(2000, "Speed", 0, 4000)));
+    EXPECT_FALSE(has(text, "CanOpenInit("));
+    EXPECT_TRUE(has(text, "the controller's node-ID is to be chosen"));
+}
+
 TEST(PythonString, is_ascii_and_ends_nowhere_else) {
     EXPECT_EQ(python_string("1/min"), "\"1/min\"");
     EXPECT_EQ(python_string("\"\\\n"), "\"\\U00000022\\U0000005c\\U0000000a\"");

@@ -39,6 +39,7 @@ int run(const std::string& file_name, const std::filesystem::path& directory, st
     write(directory / "partner.csv", partner::points(half));
     write(directory / "partner.py", partner::python_canopen(half));
     write(directory / "partner.st", partner::structured_text(half));
+    write(directory / "partner.stx", partner::stx(half));
     write(directory / "main.c", c_program(half, "partner.h"));
     write(directory / "frames.txt", frame_lines(frames));
     write(directory / "decoded.txt", decoded_lines(frames));
