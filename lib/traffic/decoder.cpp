@@ -76,6 +76,32 @@ std::string heartbeat_text(std::uint8_t node, const frame::Frame& frame, Bytes d
 
 }  // namespace
 
+std::string Decoder::text_of(const Owner& owner, const frame::Frame& frame, Bytes data) {
+    switch (owner.service) {
+        case Service::nmt:
+            return nmt_text(data);
+        case Service::sync:
+            return sync_text(data);
+        case Service::time:
+            return time_text(data);
+        case Service::emergency:
+            return emergency_text_of(owner.node, data);
+        case Service::pdo:
+            return pdo_text(*owner.frame, data);
+        case Service::sdo_request:
+        case Service::sdo_answer:
+            return sdo_.listen(owner.node, owner.service == Service::sdo_request, data);
+        case Service::heartbeat:
+            return heartbeat_text(owner.node, frame, data);
+        case Service::other_pdo:
+            return fmt::format("{}: {}", default_use(frame.id), unreadable(data));
+        case Service::lss:
+        case Service::unknown:
+            break;
+    }
+    return unreadable(data);
+}
+
 Meaning Decoder::decode(const frame::Frame& frame) {
     const Bytes data(frame.data.data(), frame.remote ? 0 : std::min<std::size_t>(frame.length, 8));
     Meaning meaning;
@@ -91,37 +117,7 @@ Meaning Decoder::decode(const frame::Frame& frame) {
         meaning.text = "remote frame";
         return meaning;
     }
-    switch (owner.service) {
-        case Service::nmt:
-            meaning.text = nmt_text(data);
-            break;
-        case Service::sync:
-            meaning.text = sync_text(data);
-            break;
-        case Service::time:
-            meaning.text = time_text(data);
-            break;
-        case Service::emergency:
-            meaning.text = emergency_text_of(owner.node, data);
-            break;
-        case Service::pdo:
-            meaning.text = pdo_text(*owner.frame, data);
-            break;
-        case Service::sdo_request:
-        case Service::sdo_answer:
-            meaning.text = sdo_.listen(owner.node, owner.service == Service::sdo_request, data);
-            break;
-        case Service::heartbeat:
-            meaning.text = heartbeat_text(owner.node, frame, data);
-            break;
-        case Service::other_pdo:
-            meaning.text = fmt::format("{}: {}", default_use(frame.id), unreadable(data));
-            break;
-        case Service::lss:
-        case Service::unknown:
-            meaning.text = unreadable(data);
-            break;
-    }
+    meaning.text = text_of(owner, frame, data);
     return meaning;
 }
 

@@ -28,6 +28,8 @@ class Decoder {
     const Owners& owners() const { return owners_; }
 
   private:
+    std::string text_of(const Owner& owner, const frame::Frame& frame, std::span<const std::uint8_t> data);
+
     Owners owners_;
     SdoListener sdo_;
 };
