@@ -165,6 +165,7 @@ const Frame* demand_frame(const std::vector<Frame>& frames, std::string_view nam
     const Frame* const frame = find_frame(frames, name);
     if (frame == nullptr) {
         std::vector<std::string_view> names;
+        names.reserve(frames.size());
         for (const Frame& active : frames) {
             names.push_back(active.name);
         }

@@ -64,7 +64,7 @@ std::string_view identifier_digits(std::string_view text) {
     if (text.starts_with("0x") || text.starts_with("0X")) {
         return text.substr(2);
     }
-    if (text.size() > 1 && (text.ends_with('h') || text.ends_with('H')) &&
+    if (text.size() > 1 && base::lower(text.back()) == 'h' &&
         base::consists_of(text.substr(0, text.size() - 1), base::hexadecimal_digits)) {
         return text.substr(0, text.size() - 1);
     }
@@ -74,8 +74,8 @@ std::string_view identifier_digits(std::string_view text) {
 }  // namespace
 
 bool begins_frame(std::string_view text) {
-    const std::size_t hash = text.find('#');
-    return !identifier_digits(text).empty() || (hash != std::string_view::npos && hash <= 8);
+    constexpr std::size_t longest_identifier = 8;  // digits
+    return !identifier_digits(text).empty() || text.find('#') <= longest_identifier;
 }
 
 frame::Frame read_typed_frame(std::span<const std::string> words, diagnostic::Findings& findings) {
