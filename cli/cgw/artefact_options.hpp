@@ -37,6 +37,10 @@ inline constexpr Option incbin_option = {.names = "--incbin",
                                          .completes = Completes::files};
 inline constexpr Option base_option = {
     .names = "--base", .value = "ADDRESS", .summary = "ihex, srec: address of the image in the device"};
+inline constexpr Option against_option = {.names = "--against",
+                                          .value = "OLD",
+                                          .summary = "report: parameter file to show the changes against",
+                                          .completes = Completes::files};
 inline constexpr Option no_labels_option = {
     .names = "--no-labels",
     .summary = "image, image-source: leave out names and units, which only displays need"};

@@ -9,6 +9,7 @@
 #include "cli/cgw/shared_options.hpp"
 #include "cli/cgw/terminal.hpp"
 #include "cli/cgw/verbs.hpp"
+#include "compare/compare.hpp"
 #include "driver/outputs.hpp"
 #include "driver/plant.hpp"
 
@@ -20,6 +21,7 @@ struct EmitOptions {
     emit::Options artefact;
     bool generic = false;  // no configuration: no parameter file either
     std::string file;
+    std::string against;  // an earlier parameter file, for the report
     std::string output;
     bool check = false;
     bool list_outputs = false;
@@ -83,6 +85,16 @@ int emit_generic(const EmitOptions& options) {
     return deliver(options, {}, options.emitter->emit_generic(*origin, options.artefact));
 }
 
+// The earlier plant: one whose plant would fail can be compared, one that cannot be read whole cannot.
+int read_earlier(const driver::CheckedFile& earlier, bool color) {
+    if (earlier.complete) {
+        return exit_fine;
+    }
+    report_findings(earlier, color);
+    print_error(fmt::format("{} cannot be compared before its errors are mended", earlier.path));
+    return exit_code_of(earlier);
+}
+
 int emit_configured(const EmitOptions& options) {
     const driver::CheckedFile file = driver::check_file(options.file);
     report_findings(file, options.color);
@@ -94,7 +106,22 @@ int emit_configured(const EmitOptions& options) {
         print_error(made.error().message);
         return exit_usage;
     }
-    return deliver(options, file.dependencies, options.emitter->emit(made->view(), options.artefact));
+    emit::Plant plant = made->view();
+    if (options.against.empty()) {
+        return deliver(options, file.dependencies, options.emitter->emit(plant, options.artefact));
+    }
+    const driver::CheckedFile earlier = driver::check_file(options.against);
+    if (const int exit_code = read_earlier(earlier, options.color); exit_code != exit_fine) {
+        return exit_code;
+    }
+    const compare::Comparison changes =
+        compare::compare({earlier.settings, earlier.configuration, *earlier.catalogue},
+                         {file.settings, file.configuration, *file.catalogue});
+    plant.against = &changes;
+    plant.against_name = std::filesystem::path(earlier.path).filename().string();
+    std::vector<std::string> dependencies = file.dependencies;
+    dependencies.insert(dependencies.end(), earlier.dependencies.begin(), earlier.dependencies.end());
+    return deliver(options, dependencies, options.emitter->emit(plant, options.artefact));
 }
 
 int emit(const EmitOptions& options) {
@@ -119,6 +146,7 @@ constexpr Option emit_options[] = {
     incbin_option,
     base_option,
     no_labels_option,
+    against_option,
     check_option,
     list_outputs_option,
     depfile_option,
@@ -142,6 +170,10 @@ int run_emit(const Arguments& arguments) {
     options.generic = arguments.given("--generic");
     check_file_argument(arguments, options.generic);
     options.file = arguments.value("FILE");
+    options.against = arguments.value("--against");
+    if (options.file == "-" && options.against == "-") {
+        throw UsageError("standard input (-) can be read only once");
+    }
     options.output = arguments.value("--output");
     options.check = arguments.given("--check");
     options.list_outputs = arguments.given("--list-outputs");

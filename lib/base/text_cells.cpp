@@ -48,6 +48,29 @@ std::string markdown_cell(std::string_view text) {
     return cell;
 }
 
+std::string html_text(std::string_view text) {
+    std::string html;
+    for (const char c : one_line(text)) {
+        switch (c) {
+            case '&':
+                html += "&amp;";
+                break;
+            case '<':
+                html += "&lt;";
+                break;
+            case '>':
+                html += "&gt;";
+                break;
+            case '"':
+                html += "&quot;";
+                break;
+            default:
+                html += c;
+        }
+    }
+    return html;
+}
+
 std::string csv_field(std::string_view text) {
     std::string field = looks_like_formula(text) ? "'" : "";
     field += text;

@@ -15,6 +15,9 @@ std::string markdown_cell(std::string_view text);
 // What markdown_cell was given, but for its control characters.
 std::string markdown_text(std::string_view cell);
 
+// Text of HTML and XML, also within quotes: one line, nothing in it is markup.
+std::string html_text(std::string_view text);
+
 // A field of CSV (RFC 4180, section 2). What a spreadsheet would run as a formula begins with an apostrophe;
 // numbers, negative ones as well, stay numbers.
 std::string csv_field(std::string_view text);

@@ -52,9 +52,16 @@ base::Result<Plant> Plant::make(const CheckedFile& file) {
 }
 
 emit::Plant Plant::view() const {
-    return {file_->settings, *file_->catalogue, file_->configuration,
-            dictionary_,     configuration_id_, base::short_id(configuration_id_),
-            version_numbers, tool_version()};
+    return {.settings = file_->settings,
+            .catalogue = *file_->catalogue,
+            .configuration = file_->configuration,
+            .dictionary = dictionary_,
+            .configuration_id = configuration_id_,
+            .configuration_id_text = base::short_id(configuration_id_),
+            .tool_version = version_numbers,
+            .tool_version_text = tool_version(),
+            .findings = file_->findings.all(),
+            .not_verified = file_->not_verified};
 }
 
 }  // namespace cgw::driver

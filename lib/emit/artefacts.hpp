@@ -15,6 +15,7 @@ base::Bytes emit_concise_dcf(const Plant& plant, const Options& options);
 base::Bytes emit_dbc(const Plant& plant, const Options& options);
 base::Bytes emit_pdo_table(const Plant& plant, const Options& options);
 base::Bytes emit_entry_sheet(const Plant& plant, const Options& options);
+base::Bytes emit_report(const Plant& plant, const Options& options);
 base::Bytes emit_image(const Plant& plant, const Options& options);
 base::Bytes emit_image_source(const Plant& plant, const Options& options);
 base::Bytes emit_c_header(const Plant& plant, const Options& options);
@@ -25,5 +26,6 @@ base::Bytes emit_points(const Plant& plant, const Options& options);
 
 std::span<const Format> pdo_table_formats();
 std::span<const Format> entry_sheet_formats();
+std::span<const Format> report_formats();
 
 }  // namespace cgw::emit

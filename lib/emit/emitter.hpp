@@ -10,7 +10,9 @@
 
 #include "base/bytes.hpp"
 #include "base/result.hpp"
+#include "compare/compare.hpp"
 #include "config/configuration.hpp"
+#include "diagnostic/diagnostic.hpp"
 #include "dictionary/dictionary.hpp"
 #include "parameter/settings.hpp"
 
@@ -29,6 +31,12 @@ struct Plant {
     std::string configuration_id_text;  // first 8 bytes, 16 hexadecimal digits
     std::array<std::uint16_t, 3> tool_version{};
     std::string tool_version_text;  // "0.1.0"
+
+    // For the report: what the checks found, what they cannot know, and what has changed.
+    std::span<const diagnostic::Diagnostic> findings{};
+    std::span<const std::string> not_verified{};
+    const compare::Comparison* against = nullptr;  // side A the earlier plant, side B this one
+    std::string against_name{};
 };
 
 // What an artefact that needs no configuration still says about itself.

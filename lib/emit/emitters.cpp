@@ -27,6 +27,7 @@ constexpr std::array stx_formats{Format{"stx", ""}};
 constexpr std::array python_canopen_formats{Format{"py", ""}};
 constexpr std::array points_formats{Format{"csv", ""}};
 constexpr std::array<std::string_view, 2> eds_options{"--generic", "--eds-name"};
+constexpr std::array<std::string_view, 1> report_options{"--against"};
 constexpr std::array<std::string_view, 1> named_options{"--eds-name"};
 constexpr std::array<std::string_view, 3> image_source_options{"--section", "--align", "--symbol"};
 
@@ -56,6 +57,8 @@ std::span<const Emitter> all_emitters() {
                 emit_pdo_table},
         Emitter{"entry-sheet", "what to type into DcDesk 2000, device by device", entry_sheet_formats(),
                 emit_entry_sheet},
+        Emitter{"report", "the plant on one page: verdict, buses, PDOs, findings, entry sheets", report_formats(),
+                emit_report, report_options},
         Emitter{"image", "configuration image for the gateway runtime: binary, Intel HEX, S-record",
                 image_formats, emit_image, image_options},
         Emitter{"image-source", "the configuration image as C++ source, C header or assembler source",

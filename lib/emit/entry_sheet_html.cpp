@@ -9,6 +9,8 @@
 namespace cgw::emit {
 namespace {
 
+using base::html_text;
+
 constexpr std::string_view style =
     "@page { size: A4; margin: 15mm }\n"
     "body { font: 10pt sans-serif; max-width: 180mm; margin: auto; color: #000 }\n"
@@ -22,29 +24,6 @@ constexpr std::string_view style =
     "@media screen { body { padding: 4mm } }\n"
     "@media (max-width: 140mm) { body { font-size: 8pt } th, td { padding: 1mm } .done { width: auto }\n"
     "  .name { overflow-wrap: anywhere } }\n";
-
-std::string html_text(std::string_view text) {
-    std::string html;
-    for (const char c : base::one_line(text)) {
-        switch (c) {
-            case '&':
-                html += "&amp;";
-                break;
-            case '<':
-                html += "&lt;";
-                break;
-            case '>':
-                html += "&gt;";
-                break;
-            case '"':
-                html += "&quot;";
-                break;
-            default:
-                html += c;
-        }
-    }
-    return html;
-}
 
 std::string table_row(const SheetRow& row) {
     return fmt::format(

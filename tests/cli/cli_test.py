@@ -27,7 +27,8 @@ CLEAN_GENSET = """: valid, no findings
 """
 ARTEFACTS = ["CANopenGateway.dbc", "CANopenGateway.dcf", "CANopenGateway.eds",
              "CANopenGateway.xdc", "CANopenGateway.xdd", "entry-sheet.csv",
-             "entry-sheet.html", "entry-sheet.md", "gateway-config.bin", "pdo-table.csv", "pdo-table.json", "pdo-table.md"]
+             "entry-sheet.html", "entry-sheet.md", "gateway-config.bin", "pdo-table.csv", "pdo-table.json", "pdo-table.md",
+             "report.html", "report.md"]
 
 
 def cgw(*arguments, stdin=None, stdout=subprocess.PIPE, directory=None, **environment):
@@ -673,6 +674,27 @@ class Emit(Verb):
         result = cgw("emit", "eds", GENSET, "--no-labels")
         self.assertEqual((result.returncode, result.stdout), (2, b""))
         self.assertIn(b"--no-labels is an option of image, image-source --format cpp, image-source --format h, not of eds", result.stderr)
+
+    def test_the_report_shows_changes_against_an_earlier_file(self):
+        old, _ = self.broken(old="CanOpenMyNodeID = ", new="427 = 13")
+        page = cgw("emit", "report", GENSET, "--against", old, "--format", "md").stdout.decode()
+        self.assertIn("## Changes\n\nCompared with broken.toml.\n", page)
+        self.assertIn("| gateway | 427 | CanOpenMyNodeID | 13 | 12 |", page)
+        self.assertNotIn("## Changes", cgw("emit", "report", GENSET, "--format", "md").stdout.decode())
+        same = cgw("emit", "report", GENSET, "--against", GENSET, "--format", "md").stdout.decode()
+        self.assertIn("Nothing differs from genset.toml.", same)
+
+    def test_a_report_against_what_cannot_be_read(self):
+        (self.dir / "old.toml").write_text("format = ")
+        for old, code, words in ((self.dir / "none.toml", 3, b"No such file"), (self.dir / "old.toml", 1, b"cannot be compared")):
+            result = cgw("emit", "report", GENSET, "--against", old, "-o", self.dir / "report.html")
+            self.assertEqual((result.returncode, result.stdout), (code, b""))
+            self.assertIn(words, result.stderr)
+            self.assertFalse((self.dir / "report.html").exists())
+        result = cgw("emit", "eds", GENSET, "--against", GENSET)
+        self.assertEqual((result.returncode, result.stdout), (2, b""))
+        self.assertIn(b"--against is an option of report, not of eds", result.stderr)
+        self.assertEqual(cgw("emit", "report", "-", "--against", "-", stdin=b"").returncode, 2)
 
     def test_an_invalid_file_emits_nothing(self):
         path, _ = self.bad()

@@ -11,14 +11,14 @@ namespace cgw::emit {
 
 TEST(Emitters, are_found_by_name) {
     for (const std::string name :
-         {"eds", "dcf", "xdd", "xdc", "concise-dcf", "dbc", "pdo-table", "entry-sheet", "image",
+         {"eds", "dcf", "xdd", "xdc", "concise-dcf", "dbc", "pdo-table", "entry-sheet", "report", "image",
           "image-source", "c-header", "structured-text", "stx", "python-canopen", "points"}) {
         ASSERT_NE(find_emitter(name), nullptr) << name;
         EXPECT_EQ(find_emitter(name)->name, name);
     }
     EXPECT_EQ(find_emitter("dbx"), nullptr);
     EXPECT_EQ(find_emitter(""), nullptr);
-    EXPECT_EQ(all_emitters().size(), 15U);
+    EXPECT_EQ(all_emitters().size(), 16U);
 }
 
 TEST(Emitters, have_a_summary_a_function_and_a_first_format) {
@@ -38,10 +38,11 @@ TEST(Emitters, name_the_files_that_build_writes) {
             }
         }
     }
-    EXPECT_EQ(names, (std::set<std::string>{"CANopenGateway.eds", "CANopenGateway.dcf", "CANopenGateway.dbc",
-                                            "CANopenGateway.xdd", "CANopenGateway.xdc", "pdo-table.md",
-                                            "pdo-table.csv", "pdo-table.json", "entry-sheet.md",
-                                            "entry-sheet.csv", "entry-sheet.html", "gateway-config.bin"}));
+    EXPECT_EQ(names,
+              (std::set<std::string>{"CANopenGateway.eds", "CANopenGateway.dcf", "CANopenGateway.dbc",
+                                     "CANopenGateway.xdd", "CANopenGateway.xdc", "pdo-table.md",
+                                     "pdo-table.csv", "pdo-table.json", "entry-sheet.md", "entry-sheet.csv",
+                                     "entry-sheet.html", "report.html", "report.md", "gateway-config.bin"}));
 }
 
 TEST(Emitters, are_documented_with_the_files_they_write) {

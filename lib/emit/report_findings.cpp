@@ -1,0 +1,108 @@
+#include <fmt/format.h>
+
+#include <array>
+#include <filesystem>
+
+#include "emit/report_parts.hpp"
+#include "parameter/value_text.hpp"
+
+namespace cgw::emit {
+namespace {
+
+using diagnostic::Diagnostic;
+using diagnostic::Level;
+using page::Tone;
+
+constexpr std::array<Tone, 3> tones{Tone::bad, Tone::warning, Tone::plain};  // of error, warning, note
+
+// The name of the file alone: where it lies is no matter of the plant.
+std::string place_of(const Diagnostic& finding) {
+    const std::string name = std::filesystem::path(finding.where.path).filename().string();
+    return fmt::format("{}:{}", name, finding.where.range.start.line);
+}
+
+std::string counted(std::size_t count, std::string_view what) {
+    return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
+}
+
+std::string change_text(const parameter::Row& row, double value) {
+    return parameter::value_text(row, value);
+}
+
+}  // namespace
+
+void add_findings(const Plant& plant, Blocks& blocks, Judgement& judgement) {
+    std::array<std::size_t, 3> counts{};
+    for (const Diagnostic& finding : plant.findings) {
+        ++counts[static_cast<std::size_t>(finding.level())];
+    }
+    const std::size_t warnings = counts[static_cast<std::size_t>(Level::warning)];
+    const std::size_t notes = counts[static_cast<std::size_t>(Level::note)];
+    judgement.add(
+        warnings > 0 ? Tone::warning : Tone::good,
+        fmt::format("checks: no errors, {}, {}", counted(warnings, "warning"), counted(notes, "note")));
+    blocks.emplace_back(page::Heading{2, "Findings"});
+    if (plant.findings.empty()) {
+        blocks.emplace_back(page::Paragraph{"No check has anything to say."});
+        return;
+    }
+    page::Table table{"What the checks found, in the order of the parameter file",
+                      {{"Place"}, {"Level"}, {"Finding"}, {"What to do"}, {"Rule"}},
+                      {}};
+    for (const Diagnostic& finding : plant.findings) {
+        const Tone tone = tones[static_cast<std::size_t>(finding.level())];
+        table.rows.push_back(
+            {place_of(finding),
+             {std::string(to_text(finding.level())), tone},
+             finding.message,
+             finding.help.empty() ? std::string(finding.rule->why) : finding.help,
+             fmt::format("{} {}: {}", finding.rule->code, finding.rule->name, finding.rule->reference)});
+    }
+    blocks.emplace_back(std::move(table));
+}
+
+void add_not_verified(const Plant& plant, Blocks& blocks, Judgement& judgement) {
+    if (plant.not_verified.empty()) {
+        return;
+    }
+    judgement.reasons.push_back(
+        fmt::format("{} nobody can check from here", counted(plant.not_verified.size(), "point")));
+    blocks.emplace_back(page::Heading{2, "What no check can know"});
+    blocks.emplace_back(page::Items{false, {plant.not_verified.begin(), plant.not_verified.end()}});
+}
+
+void add_changes(const Plant& plant, Blocks& blocks) {
+    if (plant.against == nullptr) {
+        return;
+    }
+    const compare::Comparison& changes = *plant.against;
+    blocks.emplace_back(page::Heading{2, "Changes"});
+    if (changes.same()) {
+        blocks.emplace_back(page::Paragraph{fmt::format("Nothing differs from {}.", plant.against_name)});
+        return;
+    }
+    blocks.emplace_back(page::Paragraph{fmt::format("Compared with {}.", plant.against_name)});
+    if (!changes.parameters.empty()) {
+        page::Table table{"Parameters to type again",
+                          {{"Device"}, {"Number", true}, {"Parameter"}, {"Before", true}, {"Now", true}},
+                          {}};
+        for (const compare::ParameterDifference& difference : changes.parameters) {
+            const parameter::Row& row = *difference.row;
+            table.rows.push_back({std::string(parameter::to_text(row.device)), std::to_string(row.number),
+                                  std::string(row.name), change_text(row, difference.a),
+                                  change_text(row, difference.b)});
+        }
+        blocks.emplace_back(std::move(table));
+    }
+    page::Table table{"What follows from it", {{"What"}, {"Before"}, {"Now"}}, {}};
+    for (const auto* differences : {&changes.consequences, &changes.otherwise}) {
+        for (const compare::Difference& difference : *differences) {
+            table.rows.push_back({difference.subject, difference.a, difference.b});
+        }
+    }
+    if (!table.rows.empty()) {
+        blocks.emplace_back(std::move(table));
+    }
+}
+
+}  // namespace cgw::emit
