@@ -25,6 +25,7 @@ std::span<const Verb* const> all_verbs() {
         &eds_diff_verb,
         &convert_verb,
         &bit_timing_verb,
+        &network_verb,
         &diff_verb,
         &clone_verb,
         &verify_verb,

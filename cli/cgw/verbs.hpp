@@ -15,6 +15,7 @@ extern const Verb new_verb;
 extern const Verb import_table_verb;
 extern const Verb import_eds_verb;
 extern const Verb bit_timing_verb;
+extern const Verb network_verb;
 extern const Verb diff_verb;
 extern const Verb clone_verb;
 extern const Verb image_verify_verb;

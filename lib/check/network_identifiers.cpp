@@ -46,20 +46,6 @@ struct Received {
 constexpr Received received_identifiers[] = {
     {cob::rpdo[0], 1}, {cob::rpdo[1], 2}, {cob::rpdo[2], 3}, {cob::rpdo[3], 4}};
 
-// CiA 301 version 4.2 gives these to no PDO.
-struct Restricted {
-    std::uint16_t first;
-    std::uint16_t last;
-    std::string_view purpose;
-};
-
-constexpr Restricted restricted_identifiers[] = {
-    {0x001, 0x07F, "restricts since version 4.2"},     {0x101, 0x180, "keeps for safety data (SRDO)"},
-    {0x581, 0x5FF, "keeps for SDO answers"},           {0x601, 0x67F, "keeps for SDO requests"},
-    {0x6E0, 0x6FF, "restricts since version 4.2"},     {0x701, 0x77F, "keeps for heartbeats"},
-    {0x780, 0x7FF, "restricts, for LSS among others"},
-};
-
 // The node whose identifier this is, 0 for none: `identifier` minus a base of the table.
 template <typename Row>
 std::uint16_t node_of(const Row& row, std::uint16_t identifier) {
@@ -100,10 +86,12 @@ std::optional<Diagnostic> judge_foreign(const Context& context, const Pdo& pdo) 
 }
 
 std::optional<Diagnostic> judge_restricted(const Context& context, const Pdo& pdo) {
-    const auto* const range = std::find_if(
-        std::begin(restricted_identifiers), std::end(restricted_identifiers),
-        [&](const Restricted& row) { return pdo.cob_id >= row.first && pdo.cob_id <= row.last; });
-    if (range == std::end(restricted_identifiers) || is_in_doubt(context, pdo)) {
+    const auto* const range =
+        std::find_if(std::begin(facts::restricted_identifiers), std::end(facts::restricted_identifiers),
+                     [&](const facts::RestrictedIdentifiers& row) {
+                         return pdo.cob_id >= row.first && pdo.cob_id <= row.last;
+                     });
+    if (range == std::end(facts::restricted_identifiers) || is_in_doubt(context, pdo)) {
         return std::nullopt;
     }
     Diagnostic finding = finding_at(context, pdo, rules::cob_id_restricted);

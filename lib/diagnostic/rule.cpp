@@ -20,6 +20,7 @@ std::string_view language_of(Example example) {
             return "";
         case Example::parameter_file:
         case Example::copied_file:
+        case Example::network:
         case Example::scenario:
             return "toml";
         case Example::table:

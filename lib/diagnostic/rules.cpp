@@ -7,6 +7,7 @@
 #include "diagnostic/rules/firmware.hpp"
 #include "diagnostic/rules/frames.hpp"
 #include "diagnostic/rules/keys.hpp"
+#include "diagnostic/rules/network.hpp"
 #include "diagnostic/rules/notes.hpp"
 #include "diagnostic/rules/plant.hpp"
 #include "diagnostic/rules/scenarios.hpp"
@@ -36,6 +37,7 @@ const Rule* const table[] = {
     CGW_EDS_CHECK_RULES(CGW_ADDRESS)
     CGW_XDD_RULES(CGW_ADDRESS)
     CGW_DBC_RULES(CGW_ADDRESS)
+    CGW_NETWORK_RULES(CGW_ADDRESS)
     CGW_FRAMES_RULES(CGW_ADDRESS)
 };
 // clang-format on

@@ -36,6 +36,19 @@ constexpr bool is_free_identifier(std::uint32_t identifier) {
     return identifier >= first_free_identifier && identifier <= last_free_identifier;
 }
 
+// CiA 301 version 4.2 gives these to no PDO.
+struct RestrictedIdentifiers {
+    std::uint16_t first;
+    std::uint16_t last;
+    const char* purpose;  // "CiA 301 …"
+};
+inline constexpr RestrictedIdentifiers restricted_identifiers[] = {
+    {0x001, 0x07F, "restricts since version 4.2"},     {0x101, 0x180, "keeps for safety data (SRDO)"},
+    {0x581, 0x5FF, "keeps for SDO answers"},           {0x601, 0x67F, "keeps for SDO requests"},
+    {0x6E0, 0x6FF, "restricts since version 4.2"},     {0x701, 0x77F, "keeps for heartbeats"},
+    {0x780, 0x7FF, "restricts, for LSS among others"},
+};
+
 inline constexpr std::uint8_t maximum_node_id = 127;
 
 }  // namespace cgw::facts

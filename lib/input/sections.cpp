@@ -1,13 +1,9 @@
 #include "input/sections.hpp"
 
-#include <fmt/format.h>
-
-#include <map>
-
 #include "base/numbers.hpp"
 #include "diagnostic/rules/keys.hpp"
-#include "facts/identifiers.hpp"
 #include "input/device_sections.hpp"
+#include "input/network_section.hpp"
 #include "input/table_reader.hpp"
 
 namespace cgw::input {
@@ -44,43 +40,6 @@ constexpr Key document_keys[] = {
      "revision of the file: FileRevision of the EDS", "0"},
 };
 constexpr Table document_table{"document", document_keys};
-
-// --- [network] ---
-
-constexpr Key node_id = {.name = "a node id",
-                         .kind = Kind::integer,
-                         .limit = Limit::value,
-                         .minimum = 1,
-                         .maximum = facts::maximum_node_id,
-                         .text = "node id of another node"};
-
-void read_nodes(Context& context, const Entry& entry) {
-    std::map<std::int64_t, diagnostic::Range> listed;
-    for (const Node& element : entry.value.elements) {
-        if (!check_value(context, element, node_id, node_id.name)) {
-            continue;
-        }
-        const auto [first, is_new] = listed.try_emplace(element.integer, element.range);
-        if (is_new) {
-            context.settings().network_nodes.push_back(
-                {static_cast<std::uint8_t>(element.integer), context.at(element.range)});
-            continue;
-        }
-        context.findings.report({&rules::network_node_duplicate,
-                                 fmt::format("node {} is listed twice", element.integer),
-                                 context.at(element.range),
-                                 {{context.at(first->second), "first listed here"}}});
-    }
-}
-
-constexpr Key network_keys[] = {
-    {.name = "nodes",
-     .kind = Kind::array,
-     .read = read_nodes,
-     .text = "node ids of the other nodes on the CANopen bus, against which identifiers are checked (D33)",
-     .element = &node_id},
-};
-constexpr Table network_table{"network", network_keys};
 
 // --- the top of the file ---
 

@@ -27,7 +27,8 @@ std::string did_you_mean(std::string_view text, std::span<const std::string_view
 }
 
 bool check_type(Context& context, const Node& value, Kind kind, std::string_view what) {
-    if (value.kind == kind) {
+    const bool is_whole_number = kind == Kind::real && value.kind == Kind::integer;
+    if (value.kind == kind || is_whole_number) {
         return true;
     }
     context.report(
@@ -65,12 +66,22 @@ bool check_text(Context& context, const Node& value, std::int64_t minimum, std::
 
 namespace {
 
+bool check_real(Context& context, const Node& value, const Key& key, std::string_view what) {
+    if (value.real >= static_cast<double>(key.minimum) && value.real <= static_cast<double>(key.maximum)) {
+        return true;
+    }
+    context.report(rules::key_value, value.range,
+                   fmt::format("{} is {}, outside {}..{}", what, value.text, key.minimum, key.maximum));
+    return false;
+}
+
 bool check_limit(Context& context, const Node& value, const Key& key, std::string_view what) {
     switch (key.limit) {
         case Limit::none:
             return true;
         case Limit::value:
-            return check_integer(context, value, key.minimum, key.maximum, what);
+            return key.kind == Kind::real ? check_real(context, value, key, what)
+                                          : check_integer(context, value, key.minimum, key.maximum, what);
         case Limit::bytes:
             return check_text(context, value, key.minimum, key.maximum, what);
         case Limit::elements:

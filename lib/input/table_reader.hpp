@@ -13,7 +13,7 @@ namespace cgw::input {
 // What the limits of a key count.
 enum class Limit : std::uint8_t {
     none,
-    value,     // of an integer
+    value,     // of a number
     bytes,     // of a string, which holds no control characters then
     elements,  // of a list
 };
@@ -28,7 +28,7 @@ struct Table;
 
 struct Key {
     std::string_view name;
-    toml::Kind kind;
+    toml::Kind kind;  // real: a whole number as well
     Presence presence = Presence::optional;
     Limit limit = Limit::none;
     std::int64_t minimum = 0;
@@ -38,7 +38,8 @@ struct Key {
     std::string_view text{};                    // what it means, one line, for editors
     std::string_view preset{};                  // its value when it is absent, as TOML and JSON write it
     const Table* below = nullptr;               // of a table: its keys, where they are fixed
-    const Key* element = nullptr;               // of a list: what its elements are; each stands there once
+    const Key* element = nullptr;               // of a list: what its elements are; one that is no table
+                                                // stands there once
     std::span<const std::string_view> words{};  // of a string: the values it may have
 };
 

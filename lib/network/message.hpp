@@ -20,15 +20,17 @@ struct Message {
     std::uint8_t bytes = 0;        // 0..8
     Kind kind = Kind::other;
     Release release = Release::cyclic;
-    std::string name{};              // "TPDO5", "heartbeat"
-    std::string sender{};            // "node 12"; empty: not known
-    std::uint64_t period_us = 0;     // above 0
-    std::uint64_t jitter_us = 0;     // how late it may be released
-    std::uint64_t deadline_us = 0;   // from its release until it is through; 0: none
-    std::uint64_t monitored_us = 0;  // who receives it takes its sender for dead after so long; 0: never
-    bool assumed = false;            // nobody states when it is sent (D75)
-    std::uint8_t tpdo = 0;           // 1..16: a plant's
-    int plant = -1;                  // whose, in the order in which they were given; -1: of no plant
+    std::string name{};               // "TPDO5", "heartbeat"
+    std::string sender{};             // "node 12"; empty: not known
+    std::uint64_t period_us = 0;      // above 0
+    std::uint64_t jitter_us = 0;      // how late it may be released
+    std::uint64_t deadline_us = 0;    // from its release until it is through; 0: none
+    std::uint64_t monitored_us = 0;   // who receives it takes its sender for dead after so long; 0: never
+    bool assumed = false;             // nobody states when it is sent (D75)
+    bool receiver = false;            // told by who is to receive it; nobody says who sends it
+    std::uint8_t received_bytes = 0;  // the fewest that a receiver takes
+    std::uint8_t tpdo = 0;            // 1..16: a plant's
+    int plant = -1;                   // whose, in the order in which they were given; -1: of no plant
     diagnostic::Location where{};
 
     // "TPDO5 of node 12"

@@ -91,6 +91,17 @@ struct NetworkNode {
     diagnostic::Location where{};
 };
 
+// A message of another node, as [[network.message]] states it.
+struct NetworkMessage {
+    std::uint16_t identifier = 0;   // 0..0x7FF
+    std::uint8_t bytes = 8;         // 0..8
+    std::uint64_t period_us = 0;    // above 0
+    std::uint64_t jitter_us = 0;    // how late it may be
+    std::uint64_t deadline_us = 0;  // 0: none
+    std::string name{};
+    diagnostic::Location where{};
+};
+
 // Bytes of a title: with room for what an EDS adds in its Description of 243 bytes.
 inline constexpr std::size_t longest_title = 200;
 
@@ -103,6 +114,7 @@ struct Settings {
     std::optional<BitTiming> can1_bit_timing{};
     std::optional<BitTiming> can2_bit_timing{};
     std::vector<NetworkNode> network_nodes{};
+    std::vector<NetworkMessage> network_messages{};
     ParameterSet governor{};
     ParameterSet gateway{};
     diagnostic::Location governor_table{};  // the [governor.parameters] header, for what is missing there

@@ -14,7 +14,7 @@ using toml::Kind;
 
 std::string description(const Key& key) {
     std::string text(key.text);
-    if (key.kind == Kind::integer && key.limit == Limit::value) {
+    if (key.limit == Limit::value) {
         text += key.minimum == key.maximum ? fmt::format("\n\nalways {}", key.minimum)
                                            : fmt::format("\n\n{}..{}", key.minimum, key.maximum);
     }
@@ -24,8 +24,8 @@ std::string description(const Key& key) {
     return text;
 }
 
-void write_integer(JsonWriter& json, const Key& key) {
-    json.key("type").string("integer");
+void write_number(JsonWriter& json, const Key& key) {
+    json.key("type").string(key.kind == Kind::real ? "number" : "integer");
     if (key.limit == Limit::value && key.minimum == key.maximum) {
         json.key("const").integer(key.minimum);
     } else if (key.limit == Limit::value) {
@@ -64,7 +64,9 @@ void write_array(JsonWriter& json, const Key& key, const Table& table) {
         return;
     }
     write_key(json, *key.element, table);
-    json.key("uniqueItems").boolean(true);
+    if (key.element->kind != Kind::table) {
+        json.key("uniqueItems").boolean(true);
+    }
 }
 
 void write_key(JsonWriter& json, const Key& key, const Table& table) {
@@ -78,7 +80,8 @@ void write_key(JsonWriter& json, const Key& key, const Table& table) {
     }
     switch (key.kind) {
         case Kind::integer:
-            write_integer(json, key);
+        case Kind::real:
+            write_number(json, key);
             break;
         case Kind::array:
             write_array(json, key, table);

@@ -1,0 +1,183 @@
+#include "cli/cgw/network_inputs.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/numbers.hpp"
+#include "cli/cgw/check_report.hpp"
+#include "cli/cgw/description_input.hpp"
+#include "cli/cgw/exit_codes.hpp"
+#include "cli/cgw/terminal.hpp"
+#include "config/numbers.hpp"
+#include "facts/identifiers.hpp"
+
+namespace cgw::cli {
+namespace {
+
+double number_within(std::string_view key, const std::string& text, double least, double most) {
+    const std::optional<double> value = base::parse_real(text);
+    if (!value || *value < least || *value > most) {
+        throw UsageError(fmt::format("{}: '{}' is not a number from {} to {}", key, text,
+                                     base::to_text(least), base::to_text(most)));
+    }
+    return *value;
+}
+
+std::uint64_t microseconds(const Arguments& arguments, std::string_view key) {
+    constexpr double longest_ms = 3'600'000;
+    return static_cast<std::uint64_t>(
+        std::llround(number_within(key, arguments.value(key), 0, longest_ms) * 1000));
+}
+
+// "30,50,70"
+network::Bands bands_of(const std::string& text) {
+    network::Bands bands;
+    double* const limits[] = {&bands.comfortable, &bands.ok, &bands.fail};
+    std::string_view rest = text;
+    double last = 0;
+    for (double* limit : limits) {
+        const std::size_t comma = rest.find(',');
+        *limit = number_within("--bands", std::string(rest.substr(0, comma)), last, 100) / 100;
+        last = *limit * 100;
+        if ((comma == std::string_view::npos) != (limit == limits[2])) {
+            throw UsageError(fmt::format("--bands: '{}' is not three numbers in percent", text));
+        }
+        rest.remove_prefix(comma == std::string_view::npos ? rest.size() : comma + 1);
+    }
+    return bands;
+}
+
+Change change_of(const std::string& text) {
+    const std::size_t sign = text.find('=');
+    const std::string name = text.substr(0, sign);
+    std::string value = sign == std::string::npos ? "" : text.substr(sign + 1);
+    Change change{.text = text};
+    if (name == "baud") {
+        const double kbit = number_within("--what-if baud", value, 1, 1000);
+        if (kbit != std::floor(kbit)) {
+            throw UsageError(fmt::format("--what-if {}: a whole number of kbit/s", text));
+        }
+        change.bit_rate = static_cast<std::uint32_t>(kbit) * 1000;
+        return change;
+    }
+    const std::optional<std::int64_t> tpdo =
+        name.starts_with("TPDO") ? base::parse_integer(std::string_view(name).substr(4)) : std::nullopt;
+    if (!tpdo || *tpdo < config::first_analogue_tpdo || *tpdo > config::tpdo_count) {
+        throw UsageError(fmt::format("--what-if: '{}' is neither baud=KBIT nor TPDO4=MS to TPDO16=MS", text));
+    }
+    change.tpdo = static_cast<std::uint8_t>(*tpdo);
+    value.resize(value.ends_with("ms") ? value.size() - 2 : value.size());
+    const std::optional<std::int64_t> time = base::parse_integer(value);
+    if (!time || *time < 1 || *time > config::longest_time_ms) {
+        throw UsageError(fmt::format("--what-if {}: '{}' is no time from 1 to {} ms", name, value,
+                                     config::longest_time_ms));
+    }
+    change.time_ms = static_cast<std::uint32_t>(*time);
+    return change;
+}
+
+void read_node(const Arguments& arguments, const NodeOption& option, BusMembers& members) {
+    const driver::DeviceDescription description = load_description(arguments, option.path, members.exit_code);
+    if (!description.valid()) {
+        return;
+    }
+    network::ForeignNode node = network::messages_of(description.dictionary, option.node_id, option.path);
+    members.foreign.insert(members.foreign.end(), node.messages.begin(), node.messages.end());
+    members.left_out.insert(members.left_out.end(), node.left_out.begin(), node.left_out.end());
+}
+
+}  // namespace
+
+NetworkOptions network_options(const Arguments& arguments) {
+    NetworkOptions options;
+    constexpr double most_errors = 10'000;
+    options.bus.errors_per_second = number_within("--errors", arguments.value("--errors"), 0, most_errors);
+    options.bus.sdo_interval_us = microseconds(arguments, "--sdo");
+    options.jitter_us = microseconds(arguments, "--jitter");
+    options.bands = bands_of(arguments.value("--bands"));
+    for (const std::string& text : arguments.values("--what-if")) {
+        options.changes.push_back(change_of(text));
+    }
+    options.target = number_within("--target", arguments.value("--target"), 1, 100) / 100;
+    return options;
+}
+
+std::vector<NodeOption> node_options(const Arguments& arguments) {
+    std::vector<NodeOption> nodes;
+    for (const std::string& text : arguments.values("--node")) {
+        const std::size_t colon = text.rfind(':');
+        const std::optional<std::int64_t> node_id =
+            colon == std::string::npos ? std::nullopt
+                                       : base::parse_integer(std::string_view(text).substr(colon + 1));
+        if (!node_id || *node_id < 1 || *node_id > facts::maximum_node_id || colon == 0) {
+            throw UsageError(fmt::format("--node: '{}' is not FILE:ID with a node id from 1 to {}", text,
+                                         facts::maximum_node_id));
+        }
+        nodes.push_back({text.substr(0, colon), static_cast<std::uint8_t>(*node_id)});
+    }
+    return nodes;
+}
+
+BusMembers read_members(const Arguments& arguments) {
+    BusMembers members;
+    const std::vector<NodeOption> nodes = node_options(arguments);
+    for (const std::string& path : checked_files(arguments)) {
+        driver::CheckedFile file = driver::check_file(path);
+        report_findings(file, use_color(arguments, stderr));
+        members.exit_code = worse(members.exit_code, exit_code_of(file));
+        members.plants.push_back(std::move(file));
+    }
+    for (const NodeOption& node : nodes) {
+        read_node(arguments, node, members);
+    }
+    return members;
+}
+
+std::vector<network::Message> all_messages(const BusMembers& members, const NetworkOptions& options) {
+    std::vector<network::Message> messages;
+    for (std::size_t plant = 0; plant < members.plants.size(); ++plant) {
+        const driver::CheckedFile& file = members.plants[plant];
+        const auto own = network::messages_of(file.settings, file.configuration, static_cast<int>(plant));
+        messages.insert(messages.end(), own.begin(), own.end());
+    }
+    messages.insert(messages.end(), members.foreign.begin(), members.foreign.end());
+    for (network::Message& message : messages) {
+        message.jitter_us = message.jitter_us == 0 ? options.jitter_us : message.jitter_us;
+    }
+    return messages;
+}
+
+std::vector<network::Member> members_of(const BusMembers& members) {
+    std::vector<network::Member> found;
+    for (const driver::CheckedFile& file : members.plants) {
+        found.push_back(network::member_of(file.settings, file.configuration));
+        found.back().path = file.path;
+    }
+    return found;
+}
+
+void apply_changes(BusMembers& members, const std::vector<Change>& changes) {
+    for (const Change& change : changes) {
+        bool found = change.tpdo == 0;
+        for (driver::CheckedFile& file : members.plants) {
+            config::Configuration& configuration = file.configuration;
+            if (change.tpdo == 0) {
+                configuration.can2.manual = false;
+                configuration.can2.bit_rate_kbit = static_cast<std::uint16_t>(change.bit_rate / 1000);
+                continue;
+            }
+            config::Pdo& pdo = configuration.pdos[change.tpdo - 1U];
+            if (pdo.active) {
+                pdo.time = config::cyclic_time(change.time_ms, configuration.main_cycle_us);
+                found = true;
+            }
+        }
+        if (!found) {
+            throw UsageError(fmt::format("--what-if {}: no plant sends TPDO{}", change.text, change.tpdo));
+        }
+    }
+}
+
+}  // namespace cgw::cli

@@ -1,0 +1,149 @@
+#include "cli/cgw/network_report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+
+#include "base/canopen_text.hpp"
+#include "base/numbers.hpp"
+#include "base/utf8.hpp"
+#include "base/wrap.hpp"
+
+namespace cgw::cli {
+namespace {
+
+using network::Analysis;
+using network::Bound;
+using network::MessageResult;
+
+constexpr std::size_t page_width = 80;
+
+std::string percent(double share, int digits) {
+    return fmt::format("{:.{}f}", share * 100, digits);
+}
+
+std::string response_text(const MessageResult& result) {
+    return result.bounded() ? fmt::format("{:.2f}", static_cast<double>(result.response_us) / 1000)
+                            : "unbounded";
+}
+
+std::string time_text(std::uint64_t us) {
+    return us == 0 ? "" : base::milliseconds(us);
+}
+
+std::string remark_of(const MessageResult& result) {
+    std::vector<std::string_view> remarks;
+    if (result.bound == Bound::not_found) {
+        remarks.push_back("no bound found");
+    } else if (result.bounded() && !result.in_time()) {
+        remarks.push_back("too late");
+    }
+    if (result.message.release == network::Release::event) {
+        remarks.push_back("event");
+    }
+    if (result.message.assumed) {
+        remarks.push_back("assumed");
+    }
+    return fmt::format("{}", fmt::join(remarks, ", "));
+}
+
+// The same message as it was: identifiers, names and senders do not change by a what-if.
+const MessageResult* same_message(const Analysis& analysis, const MessageResult& result, std::size_t place) {
+    return place < analysis.messages.size() &&
+                   analysis.messages[place].message.identifier == result.message.identifier
+               ? &analysis.messages[place]
+               : nullptr;
+}
+
+std::string lines_of(std::string_view text) {
+    std::string lines;
+    for (const std::string& line : base::wrap(text, page_width)) {
+        lines += base::printable(line) + "\n";
+    }
+    return lines;
+}
+
+std::size_t count_of(const Analysis& analysis, bool (*wanted)(const MessageResult&)) {
+    return static_cast<std::size_t>(
+        std::count_if(analysis.messages.begin(), analysis.messages.end(), wanted));
+}
+
+}  // namespace
+
+std::string network_verdict(const NetworkReport& report, const Analysis& analysis, bool fails) {
+    const std::size_t unbounded = count_of(analysis, [](const auto& result) { return !result.bounded(); });
+    const std::size_t late =
+        count_of(analysis, [](const auto& result) { return result.bounded() && !result.in_time(); });
+    std::string text = fmt::format(
+        "{}: {} kbit/s, load {} % on average and up to {} % ({}), {} messages",
+        fails ? "it will not work" : "it will work", base::to_text(analysis.bus.bit_rate / 1000.0),
+        percent(analysis.load.average, 1), percent(analysis.load.worst, 1),
+        to_text(network::band_of(analysis.load.worst, report.bands)), analysis.messages.size());
+    if (unbounded != 0) {
+        text += fmt::format(", {} of them unbounded", unbounded);
+    }
+    if (late != 0) {
+        text += fmt::format(", {} of them too late", late);
+    }
+    return text;
+}
+
+explain::Table network_table(const NetworkReport& report) {
+    using explain::everywhere;
+    using explain::in_data;
+    explain::Table table{"messages", false, {}, {}};
+    table.columns = {{"identifier", "id"},
+                     {"message", "message"},
+                     {"bytes", "n", everywhere, true},
+                     {"period_ms", "period", everywhere, true},
+                     {"jitter_ms", "jitter", in_data, true},
+                     {"average_percent", "avg %", in_data, true},
+                     {"worst_percent", "load %", everywhere, true},
+                     {"response_ms", "resp.", everywhere, true},
+                     {"deadline_ms", "deadl.", everywhere, true},
+                     {"period_before_ms", "(period)", everywhere, true},
+                     {"response_before_ms", "(resp.)", everywhere, true},
+                     {"remark", "remark"}};
+    for (std::size_t i = 0; i < report.analysis.messages.size(); ++i) {
+        const MessageResult& result = report.analysis.messages[i];
+        const network::Message& message = result.message;
+        const MessageResult* before = report.before ? same_message(*report.before, result, i) : nullptr;
+        table.rows.push_back(
+            {base::identifier_text(message.identifier), base::printable(message.label()),
+             std::to_string(message.bytes), time_text(message.period_us), time_text(message.jitter_us),
+             percent(result.load.average, 2), percent(result.load.worst, 2), response_text(result),
+             time_text(message.deadline_us), before != nullptr ? time_text(before->message.period_us) : "",
+             before != nullptr ? response_text(*before) : "", remark_of(result)});
+    }
+    return table;
+}
+
+std::string network_text(const NetworkReport& report, bool with_map) {
+    std::string text;
+    if (report.before) {
+        text += lines_of("as it is, " + network_verdict(report, *report.before, report.fails_before));
+        text += lines_of(fmt::format("with {}, {}", fmt::join(report.changes, " and "),
+                                     network_verdict(report, report.analysis, report.fails)));
+    } else {
+        text += lines_of(network_verdict(report, report.analysis, report.fails));
+    }
+    text += "\n" + explain::find_table_format("table")->render(network_table(report));
+    text +=
+        "\nTimes in ms: shortest period, worst-case response time, deadline. `assumed`: nobody\n"
+        "states it (D75). `event`: sent now and then, not in the average.\n";
+    for (const std::string& left_out : report.left_out) {
+        text += lines_of("not counted: " + left_out);
+    }
+    std::string ranges;
+    for (const network::IdentifierRange& range : report.map) {
+        if (range.use == network::Use::free) {
+            ranges += fmt::format("{}{}", ranges.empty() ? "" : ", ", base::identifier_text(range.first));
+            ranges += range.last == range.first ? "" : ".." + base::identifier_text(range.last);
+        }
+    }
+    text += lines_of("free identifiers: " + (ranges.empty() ? "none" : ranges));
+    return with_map ? text + "\n" + identifier_strip(report.map) : text;
+}
+
+}  // namespace cgw::cli

@@ -1,0 +1,55 @@
+// Will it work: what is wrong with the messages of a bus, as findings (E11).
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "config/configuration.hpp"
+#include "diagnostic/diagnostic.hpp"
+#include "network/analysis.hpp"
+#include "parameter/settings.hpp"
+
+namespace cgw::network {
+
+// Of the worst-case load of the bus, as shares: up to `comfortable`, up to `ok`, beyond `fail`.
+struct Bands {
+    double comfortable = 0.3;
+    double ok = 0.5;
+    double fail = 0.7;
+};
+
+enum class Band : std::uint8_t { comfortable, ok, high, overloaded };
+Band band_of(double load, const Bands& bands);
+std::string_view to_text(Band band);  // "comfortable", "ok", "high", "overloaded"
+
+// A plant as a member of the bus.
+struct Member {
+    std::string path;
+    std::uint8_t node_id = 0;
+    std::optional<std::uint32_t> bit_rate;  // bit/s; not known where it is set by hand and no clock is told
+    diagnostic::Location node_where;
+    diagnostic::Location rate_where;
+};
+Member member_of(const parameter::Settings& settings, const config::Configuration& configuration);
+
+// Findings of one kind that are told one by one; of the others the number.
+inline constexpr std::size_t most_findings = 20;
+
+// The bit rate of the bus; nothing after a finding.
+std::optional<std::uint32_t> judge_bit_rate(std::span<const Member> members, diagnostic::Findings& findings);
+
+// Node ids and identifiers that have two owners, of all messages before they are merged.
+void judge_owners(std::span<const Member> members, std::span<const Message> messages,
+                  diagnostic::Findings& findings);
+
+// Load, response times and lengths. `bus` is where a finding about all of it stands.
+void judge(const Analysis& analysis, const Bands& bands, const diagnostic::Location& bus,
+           diagnostic::Findings& findings);
+
+// Two messages that are not the same one told twice: an identifier with two senders.
+bool are_in_conflict(const Message& a, const Message& b);
+
+}  // namespace cgw::network

@@ -1,0 +1,53 @@
+#include <algorithm>
+
+#include "facts/identifiers.hpp"
+#include "network/judge.hpp"
+#include "network/sources.hpp"
+
+namespace cgw::network {
+namespace {
+
+bool known_before_assumed(const Message& a, const Message& b) {
+    return a.identifier != b.identifier ? a.identifier < b.identifier : a.assumed < b.assumed;
+}
+
+// What was assumed is stated: what the receiver demands of it stays.
+void take_demands(Message& known, const Message& assumed) {
+    const auto shorter = [](std::uint64_t& time, std::uint64_t other) {
+        time = time == 0 || (other != 0 && other < time) ? other : time;
+    };
+    shorter(known.monitored_us, assumed.monitored_us);
+    shorter(known.deadline_us, assumed.deadline_us);
+    if (known.assumed && known.receiver) {
+        shorter(known.period_us, assumed.period_us);
+        known.bytes = std::max(known.bytes, assumed.bytes);
+        return;
+    }
+    known.received_bytes = std::max(known.received_bytes, assumed.receiver ? assumed.bytes : std::uint8_t{0});
+}
+
+}  // namespace
+
+std::vector<Message> merged(std::vector<Message> messages) {
+    messages.push_back({.identifier = facts::cob::nmt,
+                        .bytes = 2,
+                        .kind = Kind::nmt,
+                        .release = Release::event,
+                        .name = "NMT",
+                        .period_us = assumed::nmt_us,
+                        .assumed = true});
+    std::stable_sort(messages.begin(), messages.end(), known_before_assumed);
+    std::vector<Message> kept;
+    for (Message& message : messages) {
+        const bool is_covered = !kept.empty() && kept.back().identifier == message.identifier &&
+                                (message.assumed || !are_in_conflict(kept.back(), message));
+        if (!is_covered) {
+            kept.push_back(std::move(message));
+            continue;
+        }
+        take_demands(kept.back(), message);
+    }
+    return kept;
+}
+
+}  // namespace cgw::network

@@ -1,0 +1,35 @@
+// Where the messages of a bus come from: plants, descriptions of other nodes, rows of parameter files.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "config/configuration.hpp"
+#include "dictionary/dictionary.hpp"
+#include "network/message.hpp"
+#include "parameter/settings.hpp"
+
+namespace cgw::network {
+
+// What the gateway of a plant sends and what it is to receive (PDOs, SDO, heartbeat), the heartbeats of its
+// partner and of the listed nodes, and the messages that the file states. TPDO1..3 go at events, at most once
+// in a main cycle of the governor. `plant` is kept in each message.
+std::vector<Message> messages_of(const parameter::Settings& settings,
+                                 const config::Configuration& configuration, int plant);
+
+struct ForeignNode {
+    std::vector<Message> messages;
+    std::vector<std::string> left_out;  // what cannot be counted, as texts
+};
+
+// What a node sends and receives by its objects: 1005h, 1006h (SYNC), 1014h, 1015h (EMCY), 1017h (heartbeat),
+// 1400h.., 1800h.. with 1600h.. and 1A00h.. (PDOs), SDO. Values of the one node (DCF) count before defaults.
+ForeignNode messages_of(const dictionary::Dictionary& dictionary, std::uint8_t node_id,
+                        const std::string& path);
+
+// All messages of a bus from those of its members, by identifier. What is assumed goes where somebody states
+// it; the NMT commands of a master come in.
+std::vector<Message> merged(std::vector<Message> messages);
+
+}  // namespace cgw::network

@@ -1,0 +1,277 @@
+"""cgw network from outside: verdict, tables, foreign nodes, what-if, suggestions that patch applies."""
+import csv
+import io
+import json
+import os
+import pathlib
+import shutil
+import subprocess
+import tempfile
+import time
+import unittest
+
+import jsonschema
+
+CGW = os.environ["CGW"]
+SAMPLES = pathlib.Path(os.environ["CGW_SAMPLES"])
+DATA = pathlib.Path(os.environ["CGW_TEST_DATA"])
+SCHEMA = json.loads((SAMPLES.parent / "schemas" / "network-report.schema.json").read_text())
+GENSET = SAMPLES / "genset.toml"
+
+FULL = """format = 1
+[governor.parameters]
+401 = 1
+403 = 2
+416 = 250
+4406 = 1
+16400 = [{words}]
+16460 = [{cycles}]
+[gateway.parameters]
+401 = 2
+402 = 1
+416 = 250
+4400 = 1
+426 = {rate}          # of the whole bus
+427 = {node}
+429 = 1000
+16404 = [{identifiers}]
+"""
+
+
+def plant(node=1, cycle=16, rate=125, first=0x680, tpdos=13, more=""):
+    """A gateway with TPDO4.. of 8 bytes each."""
+    return FULL.format(words=", ".join(str(2000 + i % 3) for i in range(4 * tpdos)),
+                       cycles=", ".join([str(cycle)] * tpdos), rate=rate, node=node,
+                       identifiers=", ".join(f"0x{first + i:X}" for i in range(tpdos - 1))) + more
+
+
+class Network(unittest.TestCase):
+    def setUp(self):
+        self.dir = pathlib.Path(tempfile.mkdtemp())
+        self.addCleanup(shutil.rmtree, self.dir)
+
+    def write(self, name, text):
+        (self.dir / name).write_text(text)
+        return name
+
+    def run_cgw(self, *arguments, verb="network", code=None, timeout=60):
+        result = subprocess.run([CGW, verb, *map(str, arguments)], stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                                timeout=timeout, text=True, cwd=self.dir)
+        if code is not None:
+            self.assertEqual(result.returncode, code, result.stderr + result.stdout)
+        return result
+
+    def report(self, *arguments, code=0):
+        result = self.run_cgw(*arguments, "--format", "json", code=code)
+        document = json.loads(result.stdout)
+        jsonschema.validate(document, SCHEMA)
+        self.assertEqual(document["works"], code == 0)
+        return document
+
+    def message(self, document, identifier):
+        found, = [m for m in document["result"]["messages"] if m["identifier"] == identifier]
+        return found
+
+    def test_the_sample_works(self):
+        result = self.run_cgw(GENSET, code=0)
+        self.assertEqual(result.stderr, "")
+        self.assertRegex(result.stdout, r"^it will work: 250 kbit/s, load \d+\.\d % on average and up to \d+\.\d %")
+        for line in result.stdout.splitlines():
+            self.assertLessEqual(len(line), 80)
+        document = self.report(GENSET)
+        tpdo4 = self.message(document, 0x48C)
+        self.assertEqual((tpdo4["name"], tpdo4["sender"], tpdo4["bytes"]), ("TPDO4", "node 12", 8))
+        self.assertEqual((tpdo4["period_ms"], tpdo4["deadline_ms"]), (125, 125))
+        event = self.message(document, 0x18C)
+        self.assertEqual((event["release"], event["period_ms"], event["average_load"]), ("event", 15.625, 0))
+        received = self.message(document, 0x30C)
+        self.assertTrue(received["assumed"])
+        self.assertAlmostEqual(received["period_ms"], received["deadline_ms"] / 2, places=3)
+        heartbeat = self.message(document, 0x70C)
+        self.assertEqual((heartbeat["period_ms"], heartbeat["bytes"]), (800, 1))
+        self.assertTrue(self.message(document, 0x58C)["assumed"])
+        self.assertTrue(self.message(document, 0x701)["assumed"])
+
+    def test_identifiers_are_mapped_without_gaps(self):
+        ranges = self.report(GENSET)["identifiers"]
+        self.assertEqual((ranges[0]["first"], ranges[-1]["last"]), (0, 2047))
+        for before, after in zip(ranges, ranges[1:]):
+            self.assertEqual(before["last"] + 1, after["first"])
+        text = self.run_cgw(GENSET, "--map", code=0).stdout
+        self.assertIn("680 free   |#...", text)
+        self.assertIn("free identifiers: 682h..6DFh", text)
+        for line in text.splitlines():
+            self.assertLessEqual(len(line), 80)
+
+    def test_a_bus_that_is_full(self):
+        self.write("full.toml", plant())
+        result = self.run_cgw("full.toml", code=1)
+        self.assertTrue(result.stdout.startswith("it will not work: 125 kbit/s"), result.stdout)
+        self.assertIn("unbounded", result.stdout)
+        self.assertIn("[E1105 message-unbounded]", result.stderr.replace("\n", " "))
+        document = self.report("full.toml", code=1)
+        self.assertGreater(document["result"]["worst_load"], 0.8)
+
+    def test_bands(self):
+        self.write("plant.toml", plant(cycle=40))
+        self.assertEqual(self.report("plant.toml", "--bands", "30,50,90")["result"]["band"], "ok")
+        self.run_cgw("plant.toml", "--bands", "10,20,25", code=1)
+        self.assertIn("E1107", self.run_cgw("plant.toml", "--bands", "10,20,25").stderr)
+        self.assertIn("E1108", self.run_cgw("plant.toml", "--bands", "10,20,90", code=0).stderr)
+
+    def test_errors_and_jitter_make_it_later(self):
+        calm = self.report(GENSET)["result"]["messages"]
+        for options in (["--errors", "10"], ["--jitter", "5"]):
+            rough = self.report(GENSET, *options)["result"]["messages"]
+            self.assertTrue(all(a["response_ms"] <= b["response_ms"] for a, b in zip(calm, rough)))
+            self.assertLess(sum(m["response_ms"] for m in calm), sum(m["response_ms"] for m in rough))
+        self.assertLess(len(self.report(GENSET, "--sdo", "0")["result"]["messages"]), len(calm))
+
+    def test_two_plants_on_one_bus(self):
+        self.write("a.toml", plant(1, 200))
+        self.write("b.toml", plant(2, 200, first=0x690))
+        document = self.report("a.toml", "b.toml")
+        self.assertEqual([p["node_id"] for p in document["plants"]], [1, 2])
+        self.assertEqual({self.message(document, i)["sender"] for i in (0x680, 0x690)}, {"node 1", "node 2"})
+        self.write("b.toml", plant(2, 200, first=0x68B))
+        result = self.run_cgw("a.toml", "b.toml", code=1)
+        self.assertIn("68Bh is sent as TPDO16 of node 1 and as TPDO5 of node 2", " ".join(result.stderr.split()))
+        document = json.loads(self.run_cgw("a.toml", "b.toml", "--format", "json").stdout)
+        self.assertIn({"first": 0x68B, "last": 0x68B, "use": "conflict",
+                       "owners": ["TPDO16 of node 1", "TPDO5 of node 2"]}, document["identifiers"])
+        self.write("b.toml", plant(2, 200, rate=250, first=0x690))
+        result = self.run_cgw("a.toml", "b.toml", code=1)
+        self.assertIn("E1102", result.stderr)
+        self.assertEqual(result.stdout, "")
+        self.write("b.toml", plant(1, 200))
+        self.assertEqual(self.run_cgw("a.toml", "b.toml", code=1).stderr.count("[E1"), 1)
+
+    def test_rows_of_messages(self):
+        rows = ('[[network.message]]\nid = 0x30C\nbytes = 8\nperiod_ms = 12.5\nname = "setpoint"\njitter_ms = 2\n'
+                "deadline_ms = 10\n[[network.message]]\nid = 0x123\nperiod_ms = 1000\n")
+        self.write("rows.toml", GENSET.read_text() + rows)
+        document = self.report("rows.toml")
+        row = self.message(document, 0x30C)
+        self.assertEqual((row["name"], row["period_ms"], row["jitter_ms"], row["deadline_ms"], row["assumed"]),
+                         ("setpoint", 12.5, 2, 10, False))
+        self.assertEqual(self.message(document, 0x123)["name"], "message 123h")
+        self.run_cgw("rows.toml", verb="check", code=0)
+        self.write("short.toml", GENSET.read_text() + "[[network.message]]\nid = 0x30C\nbytes = 1\nperiod_ms = 10\n")
+        self.assertIn("E1110", self.run_cgw("short.toml", code=1).stderr)
+
+    def test_wrong_rows_are_findings_of_the_file(self):
+        for row, code in (("id = 2048\nperiod_ms = 1", "E0103"), ("id = 1", "E0104"), ("id = 1\nperiod_ms = 0", "E0103"),
+                          ("id = 1\nperiod_ms = -1", "E0103"), ("id = 1\nperiod_ms = 1e300", "E0103"),
+                          ("id = 1\nperiod_ms = nan", "E0103"), ("id = 1\nperiod_ms = \"1\"", "E0102"),
+                          ("id = 1\nperiod_ms = 1\nbytes = 9", "E0103"), ("id = 1\nperiod_ms = 1\nperiod = 1", "E0101")):
+            self.write("rows.toml", plant(cycle=500) + "[[network.message]]\n" + row + "\n")
+            result = self.run_cgw("rows.toml", code=1)
+            self.assertEqual(result.stdout, "")
+            self.assertIn(code, result.stderr, row)
+
+    def test_thousands_of_rows(self):
+        rows = "".join(f"[[network.message]]\nid = {i}\nbytes = 8\nperiod_ms = {2000 + i}.125\n"
+                       for i in range(0x100, 0x680) if i not in (0x181, 0x201, 0x281, 0x481, 0x581, 0x601))
+        self.write("many.toml", plant(cycle=500, rate=1000) + rows)
+        begin = time.monotonic()
+        self.assertGreater(len(self.report("many.toml")["result"]["messages"]), 1300)
+        self.assertLess(time.monotonic() - begin, 30)
+        faulty = "".join(f"[[network.message]]\nid = {i + 5000}\nperoid_ms = 0\nname = 5\n" for i in range(2000))
+        self.write("faulty.toml", plant() + faulty)
+        begin = time.monotonic()
+        self.run_cgw("faulty.toml", code=1)
+        self.assertLess(time.monotonic() - begin, 30)
+
+    def test_another_node_from_its_data_sheet(self):
+        self.run_cgw("eds", GENSET, "-o", "node.eds", verb="emit", code=0)
+        self.write("plant.toml", plant(1, 500))
+        document = self.report("plant.toml", "--node", "node.eds:12")
+        self.assertEqual(self.message(document, 0x48C)["sender"], "node 12")
+        self.assertEqual(self.message(document, 0x48C)["bytes"], 8)
+        self.assertEqual(self.message(document, 0x70C)["period_ms"], 800)
+        for option in ("node.eds", "node.eds:0", "node.eds:128", ":5", "node.eds:x"):
+            self.assertIn("--node", self.run_cgw("plant.toml", "--node", option, code=2).stderr)
+        self.run_cgw("plant.toml", "--node", "missing.eds:5", code=3)
+
+    def test_what_if(self):
+        document = self.report(GENSET, "--what-if", "baud=125", "--what-if", "TPDO5=100ms")
+        self.assertEqual(document["what_if"], ["baud=125", "TPDO5=100ms"])
+        self.assertEqual((document["before"]["bit_rate"], document["result"]["bit_rate"]), (250000, 125000))
+        before, = [m for m in document["before"]["messages"] if m["identifier"] == 0x680]
+        self.assertEqual((before["period_ms"], self.message(document, 0x680)["period_ms"]), (500, 93.75))
+        text = self.run_cgw(GENSET, "--what-if", "baud=125", code=0).stdout
+        self.assertTrue(text.startswith("as it is, it will work: 250 kbit/s"), text)
+        self.assertIn("with baud=125, it will work: 125 kbit/s", text)
+        self.write("full.toml", plant())
+        self.run_cgw("full.toml", "--what-if", "baud=500", code=0)
+        for change in ("baud=0", "baud=2000", "baud=12.5", "TPDO3=5", "TPDO17=5", "TPDO5=0", "TPDO5=x", "x", "TPDO5"):
+            self.assertIn("--what-if", self.run_cgw(GENSET, "--what-if", change, code=2).stderr)
+        self.assertIn("no plant sends TPDO16", self.run_cgw(GENSET, "--what-if", "TPDO16=100", code=2).stderr)
+
+    def test_a_rate_set_by_hand(self):
+        self.write("hand.toml", plant(cycle=500, more="4426 = 1\n420 = 3\n423 = 6\n424 = 1\n425 = 5\n"))
+        result = self.run_cgw("hand.toml", code=1)
+        self.assertIn("E1103", result.stderr)
+        self.assertEqual(self.report("hand.toml", "--what-if", "baud=250")["before"], None)
+
+    def apply(self, *paths, options=()):
+        result = self.run_cgw(*paths, "--suggest", *options, code=0)
+        patch = subprocess.run(["patch", "-p0"], input=result.stdout, cwd=self.dir, text=True, stdout=subprocess.PIPE,
+                               stderr=subprocess.STDOUT)
+        self.assertEqual(patch.returncode, 0, patch.stdout + result.stdout)
+        for path in paths:
+            self.run_cgw(path, verb="check", code=0)
+        return result.stdout, self.report(*paths)
+
+    def test_suggest_raises_the_bit_rate(self):
+        self.write("full.toml", plant())
+        patch, document = self.apply("full.toml")
+        self.assertIn("+426 = 250          # of the whole bus", patch)
+        self.assertEqual(document["result"]["bit_rate"], 250000)
+        self.assertLessEqual(document["result"]["worst_load"], 0.5)
+
+    def test_suggest_lengthens_cycles(self):
+        self.write("full.toml", plant())
+        _, document = self.apply("full.toml", options=["--keep-rate", "--target", "30"])
+        self.assertEqual(document["result"]["bit_rate"], 125000)
+        self.assertLessEqual(document["result"]["worst_load"], 0.3)
+
+    def test_suggest_moves_identifiers(self):
+        self.write("a b.toml", plant(1, 200))
+        self.write("c.toml", plant(2, 200, first=0x68B).replace("16404 = [", "16404 = [ # first\n  ").rstrip("\n"))
+        patch, document = self.apply("a b.toml", "c.toml", options=["--keep-rate"])
+        self.assertIn("which nobody has", patch)
+        self.assertEqual([r for r in document["identifiers"] if r["use"] == "conflict"], [])
+        self.assertIn("# first", (self.dir / "c.toml").read_text())
+
+    def test_suggest_has_nothing_to_do_or_nothing_to_offer(self):
+        result = self.run_cgw(GENSET, "--suggest", code=0)
+        self.assertEqual(result.stdout, "")
+        self.assertIn("nothing to suggest", result.stderr)
+        rows = "".join(f"[[network.message]]\nid = {i}\nperiod_ms = 1\n" for i in range(16, 26))
+        self.write("rows.toml", plant(more=rows))
+        self.assertIn("nothing that --suggest may change", self.run_cgw("rows.toml", "--suggest", code=1).stderr)
+        for more in (["--map"], ["--format", "json"], ["--what-if", "baud=250"]):
+            self.run_cgw(GENSET, "--suggest", *more, code=2)
+        self.run_cgw(GENSET, "--target", "30", code=2)
+
+    def test_tables(self):
+        rows = list(csv.DictReader(io.StringIO(self.run_cgw(GENSET, "--format", "csv", code=0).stdout)))
+        self.assertEqual(rows[0]["message"], "NMT")
+        self.assertIn("| id | message |", self.run_cgw(GENSET, "--format", "md", code=0).stdout)
+        self.run_cgw(GENSET, "--format", "csv", "-o", "out.csv", code=0)
+        self.assertTrue((self.dir / "out.csv").exists())
+
+    def test_wrong_usage_and_missing_files(self):
+        self.run_cgw(code=2)
+        for option in (["--errors", "-1"], ["--errors", "x"], ["--jitter", "nan"], ["--bands", "30,50"],
+                       ["--bands", "50,30,70"], ["--bands", "1,2,3,4"], ["--sdo", "1e9"]):
+            self.run_cgw(GENSET, *option, code=2)
+        self.run_cgw("missing.toml", code=3)
+        self.run_cgw(DATA / "checks" / "cob-id-duplicate" / "bad.toml", code=1)
+        self.write("plant.toml", plant(cycle=500))
+        self.run_cgw("plant.toml", "-o", "plant.toml", code=2)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,161 @@
+// Messages of plants and of other nodes, and how they come together.
+#include "network/sources.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "network/identifier_map.hpp"
+#include "network/judge.hpp"
+#include "support/plant_builder.hpp"
+
+namespace cgw::network {
+namespace {
+
+const Message* find(const std::vector<Message>& messages, std::uint32_t identifier) {
+    const auto found = std::find_if(messages.begin(), messages.end(),
+                                    [&](const Message& message) { return message.identifier == identifier; });
+    return found == messages.end() ? nullptr : &*found;
+}
+
+dictionary::Object record(std::uint16_t index, const std::vector<std::uint64_t>& values) {
+    dictionary::Object object;
+    object.index = index;
+    object.code = object::ObjectCode::record;
+    for (std::size_t sub = 0; sub < values.size(); ++sub) {
+        dictionary::Variable variable;
+        variable.sub_index = static_cast<std::uint8_t>(sub);
+        variable.type = object::DataType::unsigned32;
+        variable.default_value.number = values[sub];
+        object.variables.push_back(variable);
+    }
+    return object;
+}
+
+Message row(std::uint32_t identifier, const std::string& name, int plant, bool is_assumed = false) {
+    Message message;
+    message.identifier = identifier;
+    message.bytes = 8;
+    message.name = name;
+    message.period_us = 10'000;
+    message.plant = plant;
+    message.assumed = is_assumed;
+    return message;
+}
+
+}  // namespace
+
+TEST(PlantMessages, are_those_of_the_active_pdos_and_services) {
+    test::PlantBuilder plant;
+    plant.minimal().governor(14401, 1).governor(14402, 1).network_node(5);
+    const std::vector<Message> messages = messages_of(plant.settings(), plant.resolve(), 0);
+    const Message* tpdo1 = find(messages, 0x181);
+    ASSERT_NE(tpdo1, nullptr);
+    EXPECT_EQ(tpdo1->release, Release::event);
+    EXPECT_EQ(tpdo1->period_us, 15'625U);
+    EXPECT_EQ(tpdo1->bytes, 8);
+    EXPECT_EQ(find(messages, 0x281)->bytes, 4);
+    EXPECT_EQ(find(messages, 0x381)->bytes, 2);
+    EXPECT_EQ(find(messages, 0x481), nullptr);
+    EXPECT_EQ(find(messages, 0x701)->period_us, 800'000U);
+    EXPECT_TRUE(find(messages, 0x581)->assumed);
+    EXPECT_TRUE(find(messages, 0x705)->assumed);
+    EXPECT_EQ(find(messages, 0x705)->period_us, assumed::heartbeat_us);
+}
+
+TEST(NodeMessages, follow_the_objects_of_the_node) {
+    dictionary::Dictionary node;
+    node.objects = {record(0x1005, {0x40000080}),
+                    record(0x1006, {20'000}),
+                    record(0x1014, {0x80}),
+                    record(0x1015, {50}),
+                    record(0x1017, {250}),
+                    record(0x1400, {5, 0x200, 255, 0, 0, 100}),
+                    record(0x1600, {1, 0x62000108}),
+                    record(0x1800, {5, 0x180, 255, 20, 0, 50}),
+                    record(0x1801, {5, 0x280, 255, 20, 0, 0}),
+                    record(0x1802, {5, 0x380, 2, 0, 0, 0}),
+                    record(0x1803, {5, 0x80000480, 255, 0, 0, 10}),
+                    record(0x1804, {5, 0x20012345, 255, 0, 0, 10}),
+                    record(0x1A00, {2, 0x60000108, 0x60000210}),
+                    record(0x1A01, {0}),
+                    record(0x1A02, {1, 0x60000140})};
+    for (dictionary::Object& object : node.objects) {
+        const bool follows = object.index == 0x1014 || object.index >= 0x1400;
+        if (follows && object.index < 0x1804) {
+            object.variables[object.index == 0x1014 ? 0 : 1].default_value.node_id_relative =
+                object.index == 0x1014 || object.variables.size() == 6;
+        }
+    }
+    const ForeignNode found = messages_of(node, 7, "node.eds");
+    EXPECT_EQ(find(found.messages, 0x080)->period_us, 20'000U);
+    EXPECT_EQ(find(found.messages, 0x087)->period_us, 5'000U);
+    EXPECT_EQ(find(found.messages, 0x707)->period_us, 250'000U);
+    EXPECT_EQ(find(found.messages, 0x187)->period_us, 50'000U);
+    EXPECT_EQ(find(found.messages, 0x187)->bytes, 3);
+    EXPECT_EQ(find(found.messages, 0x287)->period_us, 2'000U);
+    EXPECT_EQ(find(found.messages, 0x287)->release, Release::event);
+    EXPECT_EQ(find(found.messages, 0x387)->period_us, 40'000U);  // every second SYNC
+    EXPECT_EQ(find(found.messages, 0x387)->bytes, 8);
+    EXPECT_EQ(find(found.messages, 0x487), nullptr);
+    const Message* rpdo = find(found.messages, 0x207);
+    EXPECT_TRUE(rpdo->assumed && rpdo->receiver);
+    EXPECT_EQ(rpdo->period_us, 50'000U);
+    EXPECT_EQ(rpdo->deadline_us, 100'000U);
+    ASSERT_EQ(found.left_out.size(), 1U);
+    EXPECT_EQ(found.left_out[0], "TPDO5 of node 7: its identifier has 29 bits");
+}
+
+TEST(Merging, a_statement_takes_the_place_of_an_assumption) {
+    Message demanded = row(0x201, "RPDO1 of node 1", 0, true);
+    demanded.receiver = true;
+    demanded.bytes = 6;
+    demanded.monitored_us = 50'000;
+    demanded.deadline_us = 50'000;
+    Message stated = row(0x201, "setpoint", 0);
+    stated.bytes = 4;
+    const std::vector<Message> messages = merged({demanded, stated});
+    ASSERT_EQ(messages.size(), 2U);
+    EXPECT_EQ(messages[0].name, "NMT");
+    EXPECT_EQ(messages[1].name, "setpoint");
+    EXPECT_EQ(messages[1].deadline_us, 50'000U);
+    EXPECT_EQ(messages[1].received_bytes, 6);
+}
+
+TEST(Merging, what_two_files_say_of_one_message_counts_once) {
+    EXPECT_EQ(merged({row(0x300, "setpoint", 0), row(0x300, "setpoint", 1)}).size(), 2U);
+    EXPECT_EQ(merged({row(0x300, "setpoint", 0), row(0x300, "setpoint", 0)}).size(), 3U);
+    EXPECT_EQ(merged({row(0x300, "setpoint", 0), row(0x300, "load", 1)}).size(), 3U);
+}
+
+TEST(IdentifierMap, covers_all_identifiers_once) {
+    const std::vector<Message> messages{row(0x301, "a", 0), row(0x301, "b", 0), row(0x680, "c", 0)};
+    const std::vector<IdentifierRange> map = identifier_map(messages);
+    std::uint32_t next = 0;
+    for (const IdentifierRange& range : map) {
+        EXPECT_EQ(range.first, next);
+        next = range.last + 1U;
+        EXPECT_EQ(range.use == Use::conflict, range.first == 0x301);
+        EXPECT_EQ(range.use == Use::taken, range.first == 0x680);
+    }
+    EXPECT_EQ(next, 2048U);
+    EXPECT_EQ(free_identifiers(messages, 2), (std::vector<std::uint16_t>{0x681, 0x682}));
+    const std::vector<std::uint16_t> many = free_identifiers(messages, 2048);
+    EXPECT_EQ(many[94], 0x6DF);
+    EXPECT_EQ(many[95], 0x181);
+    EXPECT_EQ(std::count(many.begin(), many.end(), 0x301), 0);
+    const std::string strip = identifier_strip(map);
+    EXPECT_NE(strip.find("300 RPDO2  |X "), std::string::npos) << strip;
+    EXPECT_NE(strip.find("680 free   |#..."), std::string::npos) << strip;
+}
+
+TEST(Bands, have_their_limits_inside) {
+    EXPECT_EQ(band_of(0.30, {}), Band::comfortable);
+    EXPECT_EQ(band_of(0.31, {}), Band::ok);
+    EXPECT_EQ(band_of(0.50, {}), Band::ok);
+    EXPECT_EQ(band_of(0.51, {}), Band::high);
+    EXPECT_EQ(band_of(0.70, {}), Band::high);
+    EXPECT_EQ(band_of(0.71, {}), Band::overloaded);
+}
+
+}  // namespace cgw::network
