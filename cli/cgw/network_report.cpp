@@ -39,11 +39,10 @@ std::string remark_of(const MessageResult& result) {
     } else if (result.bounded() && !result.in_time()) {
         remarks.push_back("too late");
     }
-    if (result.message.release == network::Release::event) {
-        remarks.push_back("event");
-    }
     if (result.message.assumed) {
         remarks.push_back("assumed");
+    } else if (result.message.release == network::Release::event) {
+        remarks.push_back("event");
     }
     return fmt::format("{}", fmt::join(remarks, ", "));
 }
@@ -92,16 +91,19 @@ std::string network_verdict(const NetworkReport& report, const Analysis& analysi
 explain::Table network_table(const NetworkReport& report) {
     using explain::everywhere;
     using explain::in_data;
+    // On a terminal there is not room for all.
+    const unsigned unless_compared =
+        report.before ? explain::in_page | in_data : static_cast<unsigned>(everywhere);
     explain::Table table{"messages", false, {}, {}};
     table.columns = {{"identifier", "id"},
                      {"message", "message"},
-                     {"bytes", "n", everywhere, true},
+                     {"bytes", "n", unless_compared, true},
                      {"period_ms", "period", everywhere, true},
                      {"jitter_ms", "jitter", in_data, true},
                      {"average_percent", "avg %", in_data, true},
                      {"worst_percent", "load %", everywhere, true},
                      {"response_ms", "resp.", everywhere, true},
-                     {"deadline_ms", "deadl.", everywhere, true},
+                     {"deadline_ms", "deadl.", unless_compared, true},
                      {"period_before_ms", "(period)", everywhere, true},
                      {"response_before_ms", "(resp.)", everywhere, true},
                      {"remark", "remark"}};
@@ -130,8 +132,8 @@ std::string network_text(const NetworkReport& report, bool with_map) {
     }
     text += "\n" + explain::find_table_format("table")->render(network_table(report));
     text +=
-        "\nTimes in ms: shortest period, worst-case response time, deadline. `assumed`: nobody\n"
-        "states it (D75). `event`: sent now and then, not in the average.\n";
+        "\nTimes in ms: shortest period, worst-case response time, deadline.\n"
+        "`assumed`: nobody states it (D75); `event`: now and then, not in the average.\n";
     for (const std::string& left_out : report.left_out) {
         text += lines_of("not counted: " + left_out);
     }

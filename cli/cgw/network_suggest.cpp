@@ -99,21 +99,21 @@ class Search {
         return !keep_rate_ && next != facts::bit_rates_kbit.end() && set_rate(*next);
     }
 
-    // TPDOs of the plants whose identifier somebody before them has.
+    // TPDOs whose identifier somebody else has; the last plant gives way.
     void move_identifiers() {
-        const std::vector<network::IdentifierRange> map =
-            network::identifier_map(all_messages(members_, options_));
-        for (std::size_t plant = 0; plant < members_.plants.size(); ++plant) {
+        for (std::size_t plant = members_.plants.size(); plant-- > 0;) {
             for (Pdo& pdo : members_.plants[plant].configuration.pdos) {
                 const bool own = pdo.active && pdo.cob_id_source == config::CobIdSource::parameter;
-                if (own && use_of(map, pdo.cob_id) == network::Use::conflict) {
+                if (own && use_of(pdo.cob_id) == network::Use::conflict) {
                     move(plant, pdo);
                 }
             }
         }
     }
 
-    static network::Use use_of(const std::vector<network::IdentifierRange>& map, std::uint16_t identifier) {
+    network::Use use_of(std::uint16_t identifier) const {
+        const std::vector<network::IdentifierRange> map =
+            network::identifier_map(all_messages(members_, options_));
         const auto range = std::find_if(map.begin(), map.end(), [&](const network::IdentifierRange& one) {
             return identifier >= one.first && identifier <= one.last;
         });

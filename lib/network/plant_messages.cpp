@@ -164,14 +164,14 @@ void add_sdo(std::vector<Message>& messages, unsigned node_id, const diagnostic:
                     .bytes = 8,
                     .kind = Kind::sdo,
                     .release = Release::event,
-                    .name = "SDO answer",
+                    .name = "SDO",
                     .sender = node_text(node_id),
                     .period_us = assumed::sdo_us,
                     .assumed = true,
                     .where = where};
     messages.push_back(message);
     message.identifier = cob::sdo_request + node_id;
-    message.name = fmt::format("SDO request to {}", node_text(node_id));
+    message.name = fmt::format("SDO to {}", node_text(node_id));
     message.sender.clear();
     messages.push_back(std::move(message));
 }

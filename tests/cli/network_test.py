@@ -19,6 +19,8 @@ SCHEMA = json.loads((SAMPLES.parent / "schemas" / "network-report.schema.json").
 GENSET = SAMPLES / "genset.toml"
 
 FULL = """format = 1
+[governor]
+main_cycle_us = 10000
 [governor.parameters]
 401 = 1
 403 = 2
@@ -38,9 +40,9 @@ FULL = """format = 1
 """
 
 
-def plant(node=1, cycle=16, rate=125, first=0x680, tpdos=13, more=""):
+def plant(node=1, cycle=10, rate=125, first=0x680, tpdos=13, more=""):
     """A gateway with TPDO4.. of 8 bytes each."""
-    return FULL.format(words=", ".join(str(2000 + i % 3) for i in range(4 * tpdos)),
+    return FULL.format(words=", ".join(str((2000, 2031, 2300)[i % 3]) for i in range(4 * tpdos)),
                        cycles=", ".join([str(cycle)] * tpdos), rate=rate, node=node,
                        identifiers=", ".join(f"0x{first + i:X}" for i in range(tpdos - 1))) + more
 
@@ -160,10 +162,10 @@ class Network(unittest.TestCase):
         self.assertIn("E1110", self.run_cgw("short.toml", code=1).stderr)
 
     def test_wrong_rows_are_findings_of_the_file(self):
-        for row, code in (("id = 2048\nperiod_ms = 1", "E0103"), ("id = 1", "E0104"), ("id = 1\nperiod_ms = 0", "E0103"),
-                          ("id = 1\nperiod_ms = -1", "E0103"), ("id = 1\nperiod_ms = 1e300", "E0103"),
-                          ("id = 1\nperiod_ms = nan", "E0103"), ("id = 1\nperiod_ms = \"1\"", "E0102"),
-                          ("id = 1\nperiod_ms = 1\nbytes = 9", "E0103"), ("id = 1\nperiod_ms = 1\nperiod = 1", "E0101")):
+        for row, code in (("id = 2048\nperiod_ms = 1", "E0104"), ("id = 1", "E0103"), ("id = 1\nperiod_ms = 0", "E0104"),
+                          ("id = 1\nperiod_ms = -1", "E0104"), ("id = 1\nperiod_ms = 1e300", "E0104"),
+                          ("id = 1\nperiod_ms = nan", "E0104"), ("id = 1\nperiod_ms = \"1\"", "E0102"),
+                          ("id = 1\nperiod_ms = 1\nbytes = 9", "E0104"), ("id = 1\nperiod_ms = 1\nperiod = 1", "E0101")):
             self.write("rows.toml", plant(cycle=500) + "[[network.message]]\n" + row + "\n")
             result = self.run_cgw("rows.toml", code=1)
             self.assertEqual(result.stdout, "")
@@ -184,7 +186,7 @@ class Network(unittest.TestCase):
 
     def test_another_node_from_its_data_sheet(self):
         self.run_cgw("eds", GENSET, "-o", "node.eds", verb="emit", code=0)
-        self.write("plant.toml", plant(1, 500))
+        self.write("plant.toml", plant(1, 500, first=0x690))
         document = self.report("plant.toml", "--node", "node.eds:12")
         self.assertEqual(self.message(document, 0x48C)["sender"], "node 12")
         self.assertEqual(self.message(document, 0x48C)["bytes"], 8)
@@ -226,8 +228,8 @@ class Network(unittest.TestCase):
     def test_suggest_raises_the_bit_rate(self):
         self.write("full.toml", plant())
         patch, document = self.apply("full.toml")
-        self.assertIn("+426 = 250          # of the whole bus", patch)
-        self.assertEqual(document["result"]["bit_rate"], 250000)
+        self.assertIn("+426 = 500          # of the whole bus", patch)
+        self.assertEqual(document["result"]["bit_rate"], 500000)
         self.assertLessEqual(document["result"]["worst_load"], 0.5)
 
     def test_suggest_lengthens_cycles(self):
