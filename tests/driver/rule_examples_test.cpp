@@ -162,133 +162,133 @@ diagnostic::Findings findings_in_log(std::string_view log) {
     }
     audit.finish(true);
     return audit.findings("example.log");
+}
 
-    // What judging the bus of the file with these lines on top finds.
-    diagnostic::Findings findings_on_bus(std::string_view fragment) {
-        const CheckedFile file = check_text("example.toml", test::overlaid(test::valid_file, fragment));
-        EXPECT_FALSE(file.findings.has_errors()) << test::findings_text(file.findings);
-        diagnostic::Findings findings;
-        const std::vector<network::Member> members{network::member_of(file.settings, file.configuration)};
-        const auto messages = network::messages_of(file.settings, file.configuration, 0);
-        network::judge_owners(members, messages, findings);
-        if (const auto bit_rate = network::judge_bit_rate(members, findings)) {
-            network::judge(network::analyse(network::merged(messages), {.bit_rate = *bit_rate}), {},
-                           members.front().rate_where, findings);
-        }
-        return findings;
+// What judging the bus of the file with these lines on top finds.
+diagnostic::Findings findings_on_bus(std::string_view fragment) {
+    const CheckedFile file = check_text("example.toml", test::overlaid(test::valid_file, fragment));
+    EXPECT_FALSE(file.findings.has_errors()) << test::findings_text(file.findings);
+    diagnostic::Findings findings;
+    const std::vector<network::Member> members{network::member_of(file.settings, file.configuration)};
+    const auto messages = network::messages_of(file.settings, file.configuration, 0);
+    network::judge_owners(members, messages, findings);
+    if (const auto bit_rate = network::judge_bit_rate(members, findings)) {
+        network::judge(network::analyse(network::merged(messages), {.bit_rate = *bit_rate}), {},
+                       members.front().rate_where, findings);
     }
+    return findings;
+}
 
-    // What reading this CAN database finds.
-    diagnostic::Findings findings_in_database(std::string_view text) {
-        diagnostic::Findings findings;
-        dbc::read(text, "example.dbc", findings);
-        return findings;
+// What reading this CAN database finds.
+diagnostic::Findings findings_in_database(std::string_view text) {
+    diagnostic::Findings findings;
+    dbc::read(text, "example.dbc", findings);
+    return findings;
+}
+
+// The same of a whole EDS, with what the checks find.
+diagnostic::Findings findings_in_checked_sheet(const std::string& text) {
+    diagnostic::Findings findings;
+    const std::string path = "example.eds";
+    const eds::Document document(text);
+    const eds::Sheet sheet = eds::read(document, path, findings);
+    eds_check::check(document, sheet, path, {.file_name = path}, findings);
+    return findings;
+}
+
+// What reading these parameters, the objects behind them, and the transport layers behind those, as an
+// XDD finds.
+diagnostic::Findings findings_in_device_description(const std::string& text) {
+    const std::size_t objects = text.find("<CANopenObject");
+    const std::size_t network = std::min(text.find("<TransportLayers"), text.size());
+    diagnostic::Findings findings;
+    xdd::read(test::device_description(text.substr(0, objects), text.substr(objects, network - objects),
+                                       text.substr(network)),
+              "example.xdd", findings);
+    return findings;
+}
+
+diagnostic::Findings findings_of(Example kind, std::string_view example) {
+    switch (kind) {
+        case Example::none:
+            break;
+        case Example::parameter_file:
+            return test::findings_with(example);
+        case Example::copied_file:
+            return findings_of_copy(example);
+        case Example::network:
+            return findings_on_bus(example);
+        case Example::table:
+            return findings_in_table(std::string(example), false);
+        case Example::table_rows:
+            return findings_in_table(with_rows(complete_table(Device::governor), example), true);
+        case Example::scenario:
+            return findings_in_scenario(std::string(example));
+        case Example::firmware:
+            return findings_in_firmware(std::string(example));
+        case Example::data_sheet:
+            return findings_in_data_sheet(std::string(example));
+        case Example::database:
+            return findings_in_database(example);
+        case Example::frame_arguments:
+            return findings_of_arguments(example);
+        case Example::frame_log:
+            return findings_in_log(example);
+        case Example::data_sheet_lines:
+            return findings_in_checked_sheet(test::data_sheet_with(example));
+        case Example::device_description:
+            return findings_in_device_description(std::string(example));
     }
+    return {};
+}
 
-    // The same of a whole EDS, with what the checks find.
-    diagnostic::Findings findings_in_checked_sheet(const std::string& text) {
-        diagnostic::Findings findings;
-        const std::string path = "example.eds";
-        const eds::Document document(text);
-        const eds::Sheet sheet = eds::read(document, path, findings);
-        eds_check::check(document, sheet, path, {.file_name = path}, findings);
-        return findings;
+class RuleExamples : public testing::TestWithParam<const Rule*> {};
+
+TEST_P(RuleExamples, show_the_rule_broken_and_kept) {
+    const Rule& rule = *GetParam();
+    if (rule.example == Example::none) {
+        EXPECT_EQ(rule.bad, "");
+        EXPECT_EQ(rule.good, "");
+        return;
     }
+    const diagnostic::Findings bad = findings_of(rule.example, rule.bad);
+    ASSERT_EQ(bad.all().size(), 1U) << rule.bad << test::findings_text(bad);
+    EXPECT_EQ(bad.all().front().rule, &rule) << rule.bad << test::findings_text(bad);
+    const diagnostic::Findings good = findings_of(rule.example, rule.good);
+    EXPECT_EQ(test::findings_text(good), "") << rule.good;
+    EXPECT_NE(rule.good, "") << rule.name;
+}
 
-    // What reading these parameters, the objects behind them, and the transport layers behind those, as an
-    // XDD finds.
-    diagnostic::Findings findings_in_device_description(const std::string& text) {
-        const std::size_t objects = text.find("<CANopenObject");
-        const std::size_t network = std::min(text.find("<TransportLayers"), text.size());
-        diagnostic::Findings findings;
-        xdd::read(test::device_description(text.substr(0, objects), text.substr(objects, network - objects),
-                                           text.substr(network)),
-                  "example.xdd", findings);
-        return findings;
+INSTANTIATE_TEST_SUITE_P(Rules, RuleExamples, testing::ValuesIn(diagnostic::all_rules()),
+                         [](const auto& test) {
+                             std::string name(test.param->name);
+                             std::replace(name.begin(), name.end(), '-', '_');
+                             return name;
+                         });
+
+TEST(RuleExampleFile, has_no_findings_itself) {
+    EXPECT_EQ(test::findings_text(test::findings_with("")), "");
+}
+
+TEST(RuleExampleTables, have_no_findings_themselves) {
+    EXPECT_EQ(test::findings_text(findings_in_table(complete_table(Device::governor), true)), "");
+}
+
+TEST(RuleExampleDataSheet, has_no_findings_itself) {
+    EXPECT_EQ(test::findings_text(findings_in_checked_sheet(std::string(test::valid_data_sheet))), "");
+}
+
+TEST(RuleExampleKinds, without_examples_are_the_rules_that_nothing_printed_can_break) {
+    std::string names;
+    for (const Rule* rule : diagnostic::all_rules()) {
+        names += rule->example == Example::none ? fmt::format("{} ", rule->name) : "";
     }
-
-    diagnostic::Findings findings_of(Example kind, std::string_view example) {
-        switch (kind) {
-            case Example::none:
-                break;
-            case Example::parameter_file:
-                return test::findings_with(example);
-            case Example::copied_file:
-                return findings_of_copy(example);
-            case Example::network:
-                return findings_on_bus(example);
-            case Example::table:
-                return findings_in_table(std::string(example), false);
-            case Example::table_rows:
-                return findings_in_table(with_rows(complete_table(Device::governor), example), true);
-            case Example::scenario:
-                return findings_in_scenario(std::string(example));
-            case Example::firmware:
-                return findings_in_firmware(std::string(example));
-            case Example::data_sheet:
-                return findings_in_data_sheet(std::string(example));
-            case Example::database:
-                return findings_in_database(example);
-            case Example::frame_arguments:
-                return findings_of_arguments(example);
-            case Example::frame_log:
-                return findings_in_log(example);
-            case Example::data_sheet_lines:
-                return findings_in_checked_sheet(test::data_sheet_with(example));
-            case Example::device_description:
-                return findings_in_device_description(std::string(example));
-        }
-        return {};
-    }
-
-    class RuleExamples : public testing::TestWithParam<const Rule*> {};
-
-    TEST_P(RuleExamples, show_the_rule_broken_and_kept) {
-        const Rule& rule = *GetParam();
-        if (rule.example == Example::none) {
-            EXPECT_EQ(rule.bad, "");
-            EXPECT_EQ(rule.good, "");
-            return;
-        }
-        const diagnostic::Findings bad = findings_of(rule.example, rule.bad);
-        ASSERT_EQ(bad.all().size(), 1U) << rule.bad << test::findings_text(bad);
-        EXPECT_EQ(bad.all().front().rule, &rule) << rule.bad << test::findings_text(bad);
-        const diagnostic::Findings good = findings_of(rule.example, rule.good);
-        EXPECT_EQ(test::findings_text(good), "") << rule.good;
-        EXPECT_NE(rule.good, "") << rule.name;
-    }
-
-    INSTANTIATE_TEST_SUITE_P(Rules, RuleExamples, testing::ValuesIn(diagnostic::all_rules()),
-                             [](const auto& test) {
-                                 std::string name(test.param->name);
-                                 std::replace(name.begin(), name.end(), '-', '_');
-                                 return name;
-                             });
-
-    TEST(RuleExampleFile, has_no_findings_itself) {
-        EXPECT_EQ(test::findings_text(test::findings_with("")), "");
-    }
-
-    TEST(RuleExampleTables, have_no_findings_themselves) {
-        EXPECT_EQ(test::findings_text(findings_in_table(complete_table(Device::governor), true)), "");
-    }
-
-    TEST(RuleExampleDataSheet, has_no_findings_itself) {
-        EXPECT_EQ(test::findings_text(findings_in_checked_sheet(std::string(test::valid_data_sheet))), "");
-    }
-
-    TEST(RuleExampleKinds, without_examples_are_the_rules_that_nothing_printed_can_break) {
-        std::string names;
-        for (const Rule* rule : diagnostic::all_rules()) {
-            names += rule->example == Example::none ? fmt::format("{} ", rule->name) : "";
-        }
-        EXPECT_EQ(
-            names,
-            "file-unreadable file-too-large file-not-utf8 elf-structure firmware-section firmware-address "
-            "image-alignment image-room image-refused image-model image-elsewhere eds-text eds-too-much "
-            "eds-byte-order-mark eds-line-ends xdd-text xdd-root bit-rates-differ node-shared "
-            "message-not-counted ");
-    }
+    EXPECT_EQ(names,
+              "file-unreadable file-too-large file-not-utf8 elf-structure firmware-section firmware-address "
+              "image-alignment image-room image-refused image-model image-elsewhere eds-text eds-too-much "
+              "eds-byte-order-mark eds-line-ends xdd-text xdd-root bit-rates-differ node-shared "
+              "message-not-counted ");
+}
 
 }  // namespace
 }  // namespace cgw::driver
