@@ -20,7 +20,7 @@ enum class Example {
     table_rows,        // rows of one, on top of a table that prints every row of concern
     scenario,          // steps of a scenario of samples/genset.toml that lasts 10 s
     firmware,          // an Intel HEX file into which an image is put at 0x08010000
-    network,             // as parameter_file, and its bus is judged as by cgw network
+    network,           // as parameter_file, and its bus is judged as by cgw network
     data_sheet,        // sections of an EDS or DCF, as they are read
     data_sheet_lines,  // lines of one, on top of an EDS that keeps all rules; behind `; ` one that goes away
     device_description,  // parameters and objects of an XDD

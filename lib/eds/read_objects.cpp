@@ -33,8 +33,11 @@ class ObjectReader {
         const auto first = std::partition_point(
             ordered.begin(), ordered.end(),
             [this](std::uint32_t section) { return reading_.sections.name(section).module < module_; });
+        const auto last = std::partition_point(first, ordered.end(), [this](std::uint32_t section) {
+            return reading_.sections.name(section).module <= module_;
+        });
         constexpr std::ptrdiff_t most_objects = 0x10000;
-        objects.reserve(static_cast<std::size_t>(std::min(ordered.end() - first, most_objects)));
+        objects.reserve(static_cast<std::size_t>(std::min(last - first, most_objects)));
         for (auto at = static_cast<std::size_t>(first - ordered.begin()); at < ordered.size();) {
             const SectionName& name = reading_.sections.name(ordered[at]);
             if (name.module != module_) {

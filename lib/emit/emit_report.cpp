@@ -35,6 +35,7 @@ page::Page report_page(const Plant& plant) {
     Blocks sections;
     add_devices(plant, sections);
     add_findings(plant, sections, judgement);
+    add_network(plant, sections, judgement);
     add_not_verified(plant, sections, judgement);
     add_changes(plant, sections);
     add_pdos(plant, sections);

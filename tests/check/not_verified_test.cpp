@@ -54,8 +54,9 @@ TEST(NotVerified, is_the_scaling_of_a_sent_word_whose_highest_value_is_0) {
     PlantBuilder plant;
     plant.minimal().governor_list(16400, {2905}).governor(16460, 100).network_node(2);
     plant.governor(980, -1).governor(981, 0);
-    EXPECT_EQ(open_questions(plant), "scaling of 2905: 981 is not set\n"
-                                     "other nodes: identifiers beyond the default ones of 2");
+    EXPECT_EQ(open_questions(plant),
+              "scaling of 2905: 981 is not set\n"
+              "other nodes: identifiers beyond the default ones of 2");
 }
 
 TEST(NotVerified, is_a_bit_rate_whose_clock_is_not_stated) {

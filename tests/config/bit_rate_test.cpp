@@ -46,8 +46,7 @@ TEST(BitRate, follows_the_registers_of_an_mcp2515) {
 }
 
 TEST(BitRate, is_twice_as_high_in_an_at90can) {
-    EXPECT_EQ(bit_rate(registers(1, 5, 6, 1), BitTiming{16'000'000, at90can, {}}),
-              500'000U);
+    EXPECT_EQ(bit_rate(registers(1, 5, 6, 1), BitTiming{16'000'000, at90can, {}}), 500'000U);
 }
 
 TEST(BitRate, is_rounded) {

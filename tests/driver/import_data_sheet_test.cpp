@@ -176,7 +176,9 @@ TEST_F(ImportWithPlant, tells_what_contradicts_the_data_sheet_and_takes_the_data
          {"title: Genset 2, starboard, not Genset 3"}},
         {"FunctIdleSpeed = 1", "FunctIdleSpeed = 5", {}},
         {"\n910 = 6 ", "\n910 = 5 ", {"governor 910: 6, not 5"}},
-        {"AssignIn_CurrentLoad = 9", "AssignIn_CurrentLoad = 10", {"governor 917 AssignIn_CurrentLoad: 9, not 10"}},
+        {"AssignIn_CurrentLoad = 9",
+         "AssignIn_CurrentLoad = 10",
+         {"governor 917 AssignIn_CurrentLoad: 9, not 10"}},
         {"CanOpenMyNodeID = 12", "CanOpenMyNodeID = 13", {"gateway 427 CanOpenMyNodeID: 12, not 13"}},
         {"CanBaudrate = 250", "CanBaudrate = 250  # as on the label", {}},
     };

@@ -22,7 +22,8 @@ const Rule file_too_large{
     .summary = "a text file has at most 4 MiB, an EDS or DCF 32 MiB",
     .reference = "",
     .why =
-        "A complete parameter file has some kilobytes, an EDS of fifty thousand objects 12 MiB. What is larger "
+        "A complete parameter file has some kilobytes, an EDS of fifty thousand objects 12 MiB. What is "
+        "larger "
         "is something else, given by mistake, and is not worth the memory it would take.",
     .example = Example::none,
     .bad = "",
