@@ -77,9 +77,9 @@ constexpr std::string_view network_details =
     "from --node and from [[network.message]] of the files; what nobody states is\n"
     "assumed and marked (D75).\n"
     "--errors counts 31 bit times and the longest frame once more for each error.\n"
-    "--suggest moves identifiers that two have to free ones (680h to 6DFh first), then\n"
-    "raises the bit rate of all plants, then doubles the cycles of the TPDOs that take\n"
-    "most. Apply with patch -p0, after reading it: other nodes must follow.\n"
+    "--suggest moves identifiers that two have to free ones (680h to 6DFh first),\n"
+    "then raises the bit rate of all plants, then doubles the cycles of the TPDOs\n"
+    "that take most. Apply with patch -p0, after reading it: other nodes must follow.\n"
     "Exit code 1 when a message has no bound or misses its deadline, when the load is\n"
     "beyond the last band, or when two send one identifier.\n";
 

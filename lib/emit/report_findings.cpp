@@ -1,7 +1,8 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
-#include <filesystem>
+#include <tuple>
 
 #include "emit/report_parts.hpp"
 #include "parameter/value_text.hpp"
@@ -15,10 +16,17 @@ using page::Tone;
 
 constexpr std::array<Tone, 3> tones{Tone::bad, Tone::warning, Tone::plain};  // of error, warning, note
 
-// The name of the file alone: where it lies is no matter of the plant.
-std::string place_of(const Diagnostic& finding) {
-    const std::string name = std::filesystem::path(finding.where.path).filename().string();
-    return fmt::format("{}:{}", name, finding.where.range.start.line);
+// The gravest first; not in the order of the file, for what a plant is does not depend on it.
+std::vector<const Diagnostic*> by_weight(std::span<const Diagnostic> findings) {
+    std::vector<const Diagnostic*> sorted;
+    for (const Diagnostic& finding : findings) {
+        sorted.push_back(&finding);
+    }
+    std::stable_sort(sorted.begin(), sorted.end(), [](const Diagnostic* a, const Diagnostic* b) {
+        return std::tuple(a->level(), a->rule->code, std::string_view(a->message)) <
+               std::tuple(b->level(), b->rule->code, std::string_view(b->message));
+    });
+    return sorted;
 }
 
 std::string counted(std::size_t count, std::string_view what) {
@@ -46,17 +54,15 @@ void add_findings(const Plant& plant, Blocks& blocks, Judgement& judgement) {
         blocks.emplace_back(page::Paragraph{"No check has anything to say."});
         return;
     }
-    page::Table table{"What the checks found, in the order of the parameter file",
-                      {{"Place"}, {"Level"}, {"Finding"}, {"What to do"}, {"Rule"}},
-                      {}};
-    for (const Diagnostic& finding : plant.findings) {
-        const Tone tone = tones[static_cast<std::size_t>(finding.level())];
+    page::Table table{
+        "What the checks found", {{"Level"}, {"Finding"}, {"What to do, or why"}, {"Rule"}}, {}};
+    for (const Diagnostic* const finding : by_weight(plant.findings)) {
+        const Tone tone = tones[static_cast<std::size_t>(finding->level())];
         table.rows.push_back(
-            {place_of(finding),
-             {std::string(to_text(finding.level())), tone},
-             finding.message,
-             finding.help.empty() ? std::string(finding.rule->why) : finding.help,
-             fmt::format("{} {}: {}", finding.rule->code, finding.rule->name, finding.rule->reference)});
+            {{std::string(to_text(finding->level())), tone},
+             finding->message,
+             finding->help.empty() ? std::string(finding->rule->why) : finding->help,
+             fmt::format("{} {}: {}", finding->rule->code, finding->rule->name, finding->rule->reference)});
     }
     blocks.emplace_back(std::move(table));
 }
