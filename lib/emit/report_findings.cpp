@@ -4,6 +4,7 @@
 #include <array>
 #include <tuple>
 
+#include "diagnostic/rules/notes.hpp"
 #include "emit/report_parts.hpp"
 #include "parameter/value_text.hpp"
 
@@ -16,11 +17,14 @@ using page::Tone;
 
 constexpr std::array<Tone, 3> tones{Tone::bad, Tone::warning, Tone::plain};  // of error, warning, note
 
-// The gravest first; not in the order of the file, for what a plant is does not depend on it.
+// Those about the plant, the gravest first. How the file spells its numbers and in which order is no matter
+// of the plant.
 std::vector<const Diagnostic*> by_weight(std::span<const Diagnostic> findings) {
     std::vector<const Diagnostic*> sorted;
     for (const Diagnostic& finding : findings) {
-        sorted.push_back(&finding);
+        if (finding.rule != &diagnostic::rules::manual_misprint) {
+            sorted.push_back(&finding);
+        }
     }
     std::stable_sort(sorted.begin(), sorted.end(), [](const Diagnostic* a, const Diagnostic* b) {
         return std::tuple(a->level(), a->rule->code, std::string_view(a->message)) <
@@ -40,9 +44,10 @@ std::string change_text(const parameter::Row& row, double value) {
 }  // namespace
 
 void add_findings(const Plant& plant, Blocks& blocks, Judgement& judgement) {
+    const std::vector<const Diagnostic*> findings = by_weight(plant.findings);
     std::array<std::size_t, 3> counts{};
-    for (const Diagnostic& finding : plant.findings) {
-        ++counts[static_cast<std::size_t>(finding.level())];
+    for (const Diagnostic* const finding : findings) {
+        ++counts[static_cast<std::size_t>(finding->level())];
     }
     const std::size_t warnings = counts[static_cast<std::size_t>(Level::warning)];
     const std::size_t notes = counts[static_cast<std::size_t>(Level::note)];
@@ -50,13 +55,13 @@ void add_findings(const Plant& plant, Blocks& blocks, Judgement& judgement) {
         warnings > 0 ? Tone::warning : Tone::good,
         fmt::format("checks: no errors, {}, {}", counted(warnings, "warning"), counted(notes, "note")));
     blocks.emplace_back(page::Heading{2, "Findings"});
-    if (plant.findings.empty()) {
+    if (findings.empty()) {
         blocks.emplace_back(page::Paragraph{"No check has anything to say."});
         return;
     }
     page::Table table{
         "What the checks found", {{"Level"}, {"Finding"}, {"What to do, or why"}, {"Rule"}}, {}};
-    for (const Diagnostic* const finding : by_weight(plant.findings)) {
+    for (const Diagnostic* const finding : findings) {
         const Tone tone = tones[static_cast<std::size_t>(finding->level())];
         table.rows.push_back(
             {{std::string(to_text(finding->level())), tone},
