@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 
 #include "authoring/image_draft.hpp"
 #include "base/sha256.hpp"
@@ -121,16 +122,35 @@ bool ImageDraft::assign(Device device, std::uint16_t number, double value) {
     return true;
 }
 
-void ImageDraft::set_references(const Row& row, const image::Label& label) {
+namespace {
+
+struct Reference {
+    std::uint16_t number;  // of the parameter; 0: the end is no parameter
+    double value;
+};
+
+std::array<Reference, 2> references_of(const Row& row, const image::Label& label) {
     if (!row.scaling || !label.has_scaling) {
-        return;
+        return {};
     }
-    const std::pair<std::uint16_t, double> ends[] = {
-        {row.scaling->external_minimum_parameter, label.external_minimum},
-        {row.scaling->external_maximum_parameter, label.external_maximum}};
-    for (const auto& [number, value] : ends) {
-        if (number != 0) {
-            assign(Device::governor, number, value);
+    return {Reference{row.scaling->external_minimum_parameter, label.external_minimum},
+            Reference{row.scaling->external_maximum_parameter, label.external_maximum}};
+}
+
+}  // namespace
+
+void ImageDraft::set_references(const Row& row, const image::Label& label) {
+    for (const Reference& reference : references_of(row, label)) {
+        if (reference.number != 0) {
+            assign(Device::governor, reference.number, reference.value);
+        }
+    }
+}
+
+void ImageDraft::state_zero_references(const Row& row, const image::Label& label) {
+    for (const Reference& reference : references_of(row, label)) {
+        if (reference.number != 0 && reference.value == 0 && !governor_.contains(reference.number)) {
+            assign(Device::governor, reference.number, 0);
         }
     }
 }
@@ -166,7 +186,7 @@ FileFromImage file_from_image(const image::Image& image, const std::vector<std::
             const image::Label label = image.label(i);
             const Row* row = draft.catalogue().find(Device::governor, label.number);
             if (row != nullptr) {
-                draft.set_references(*row, label);
+                draft.state_zero_references(*row, label);
             }
         }
     } else {

@@ -29,9 +29,13 @@ class ImageDraft {
     // The same, and 0 is written as well.
     bool assign(parameter::Device device, std::uint16_t number, double value);
 
-    // The parameters that hold the ends of a row's range in the governor, as the label tells them. The model
-    // does not tell set to 0 from not set, and only with both ends set a range is known.
+    // The parameters that hold the ends of a row's range in the governor, as the label tells them.
     void set_references(const parameter::Row& row, const image::Label& label);
+
+    // The same beside a model, which has all of them but those set to 0, and does not tell these from what is
+    // not set: only with both ends set a range is known. A label that says something else than the model is
+    // not believed.
+    void state_zero_references(const parameter::Row& row, const image::Label& label);
 
     // The text, with the values by number.
     std::string text();
