@@ -35,14 +35,14 @@ std::string time_text(std::uint64_t us) {
 std::string remark_of(const MessageResult& result) {
     std::vector<std::string_view> remarks;
     if (result.bound == Bound::not_found) {
-        remarks.push_back("no bound found");
+        remarks.emplace_back("no bound found");
     } else if (result.bounded() && !result.in_time()) {
-        remarks.push_back("too late");
+        remarks.emplace_back("too late");
     }
     if (result.message.assumed) {
-        remarks.push_back("assumed");
+        remarks.emplace_back("assumed");
     } else if (result.message.release == network::Release::event) {
-        remarks.push_back("event");
+        remarks.emplace_back("event");
     }
     return fmt::format("{}", fmt::join(remarks, ", "));
 }

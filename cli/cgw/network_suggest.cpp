@@ -47,7 +47,7 @@ class Search {
         std::size_t plant;
         Device device;
         std::uint16_t number;
-        friend auto operator<=>(const Key&, const Key&) = default;
+        auto operator<=>(const Key&) const = default;
     };
 
     // False where the file does not set the parameter: then nothing stands there to be changed.

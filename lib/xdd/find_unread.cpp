@@ -38,7 +38,7 @@ constexpr std::array rows{
     ElementRow{"productText", {"readOnly"}, true},
     ElementRow{"description", {"lang"}, true},
     ElementRow{"orderNumber", {"readOnly"}, true},
-    ElementRow{"version", {"versionType", "readOnly"}},
+    ElementRow{"version", {"versionType", "readOnly"}, true},
     ElementRow{"DeviceManager", {}, true},
     ElementRow{"DeviceFunction", {}, true},
     ElementRow{"capabilities", {}, true},

@@ -74,6 +74,23 @@ TEST(ConvertFormats, tell_what_is_lost_and_resolved) {
     EXPECT_EQ(dcf->node_id, 5);
 }
 
+// Latin-1 becomes UTF-8 once: not when it is read and again when it is written, and UTF-8 stays as it is.
+TEST(ConvertFormats, decode_latin_1_once) {
+    const std::string sheet = "[FileInfo]\n[DeviceInfo]\nProductName=";
+    for (const std::string_view name : {"Ger\xE4t", "Ger\xC3\xA4t"}) {
+        diagnostic::Findings findings;
+        const eds::Document document(sheet + std::string(name) + "\n");
+        const Description device{eds::read(document, "device.eds", findings).dictionary, {}};
+        for (const std::string_view format : {"xdd", "json", "md"}) {
+            EXPECT_NE(converted(device, format).find("Ger\xC3\xA4t"), std::string::npos) << format;
+        }
+        const xdd::Sheet again = xdd::read(converted(device, "xdd"), "device.xdd", findings);
+        EXPECT_EQ(again.dictionary.device.product_name, "Ger\xC3\xA4t");
+        EXPECT_NE(converted({again.dictionary, {}}, "eds").find("ProductName=Geraet\r\n"), std::string::npos)
+            << converted({again.dictionary, {}}, "eds");
+    }
+}
+
 TEST(ConvertFormats, give_the_product_its_own_name) {
     const auto product = convert(io_device(), {.format = *find_format("eds"), .file_name = "other.eds"});
     const std::string text(product->bytes.begin(), product->bytes.end());

@@ -244,25 +244,6 @@ TEST(XddReader, tells_what_is_wrong_at_the_value) {
               "10:41 xdd-object-type\n10:45 xdd-absent\n11:100 xdd-value\n11:122 xdd-value\n");
 }
 
-TEST(XddReader, tells_files_of_other_systems) {
-    EXPECT_EQ(Result("set_property PACKAGE_PIN W5 [get_ports clk]\n").message(),
-              "this is a file of FPGA design constraints (.xdc of Xilinx), no CANopen configuration");
-    EXPECT_EQ(Result("<ISO15745ProfileContainer xmlns=\"http://www.ethernet-powerlink.org\"/>").message(),
-              "this is a device description for Ethernet POWERLINK, not for CANopen");
-    EXPECT_EQ(Result("<X><Profile><ProfileBody/></Profile></X>").message(),
-              "this is a device description of maxon's own form, not of CiA 311");
-    EXPECT_EQ(Result("<EtherCATInfo/>").message(),
-              "this is a device description for EtherCAT (ESI), not for CANopen");
-    EXPECT_EQ(Result("<OpenEDSProject/>").message(),
-              "this is a project of several devices; each of them needs a file of its own");
-    EXPECT_EQ(Result("<html/>").message(),
-              "the file begins with <html>; a device description of CiA 311 begins with "
-              "<ISO15745ProfileContainer>");
-    EXPECT_EQ(Result("<ISO15745ProfileContainer/>").message(),
-              "the file has no CANopenObjectList: it describes no object of a CANopen device");
-    EXPECT_EQ(Result("[FileInfo]\n").message(), "this is an EDS or DCF, no XML");
-}
-
 TEST(XddReader, reads_what_has_no_type_as_domain_and_says_so) {
     const test::XddResult result(test::device_description(
         "<parameter uniqueID=\"P1\"><label lang=\"en\">Store EDS</label><BITSTRING/></parameter>\n"
@@ -314,24 +295,6 @@ TEST(XddReader, keeps_an_empty_string_and_no_value_apart) {
     EXPECT_TRUE(result.variable(0x2001).no_default);
     EXPECT_FALSE(result.variable(0x2002).no_default);
     EXPECT_TRUE(result.variable(0x2003).no_default);
-}
-
-TEST(XddReader, knows_utf_16_and_says_so) {
-    for (const std::string_view begin :
-         {std::string_view("\xFF\xFE<\0", 4), std::string_view("\xFE\xFF\0<", 4),
-          std::string_view("<\0?\0", 4), std::string_view("\0<\0?", 4)}) {
-        EXPECT_TRUE(is_xml(begin));
-        EXPECT_EQ(test::XddResult(begin).message(), "the file is UTF-16; save it as UTF-8");
-    }
-    EXPECT_FALSE(is_xml(std::string_view("\xFF\xFE[\0", 4)));
-    EXPECT_FALSE(is_xml("\xFF\xFE"));
-}
-
-TEST(XddReader, knows_xml_when_it_sees_it) {
-    EXPECT_TRUE(is_xml("\xEF\xBB\xBF\n <?xml"));
-    EXPECT_TRUE(is_xml("<a/>"));
-    EXPECT_FALSE(is_xml(""));
-    EXPECT_FALSE(is_xml("[FileInfo]\n; <a>"));
 }
 
 }  // namespace cgw::xdd

@@ -46,6 +46,18 @@ TEST(XddUnread, counts_nothing_in_what_cgw_writes) {
     }
 }
 
+// The revision is that of the first firmware; other versions say nothing to a data sheet.
+TEST(XddUnread, counts_every_version_but_the_first_firmware) {
+    std::string text = test::device_description("",
+                                                "<CANopenObject index=\"2000\" name=\"V\" objectType=\"7\" "
+                                                "dataType=\"0007\" accessType=\"ro\"/>");
+    text.insert(text.find("<ApplicationProcess>"),
+                "<DeviceIdentity><version versionType=\"HW\">3</version>"
+                "<version versionType=\"FW\">1</version>"
+                "<version versionType=\"FW\">2</version></DeviceIdentity>");
+    EXPECT_EQ(unread_of(text), "element version 2\n");
+}
+
 // Each element is looked at once, whatever stands before it.
 TEST(XddUnread, counts_many_in_one_element_in_linear_time) {
     std::string many;
