@@ -11,8 +11,14 @@ namespace {
 
 using Kind = media::LogReader::Kind;
 
+driver::CheckedFile checked(const char* path) {
+    driver::CheckedFile file = driver::check_file(path);
+    demand(file.valid(), "the sample is valid, and stands where this program was built");
+    return file;
+}
+
 struct Genset {
-    driver::CheckedFile file = driver::check_file(CGW_SAMPLES "/genset.toml");
+    driver::CheckedFile file = checked(CGW_SAMPLES "/genset.toml");
     driver::Plant plant = *driver::Plant::make(file);
     emit::Plant view = plant.view();
     traffic::Subject subject = driver::traffic_subject(file, view);
