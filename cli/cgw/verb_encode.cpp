@@ -51,7 +51,7 @@ int run_encode(const Arguments& arguments) {
     if (frame != nullptr) {
         encoded = signals::encode(*frame, arguments.values("VALUE"), findings);
     }
-    if (findings.has_errors()) {
+    if (frame == nullptr || findings.has_errors()) {
         report_arguments(findings, arguments);
         return exit_findings;
     }

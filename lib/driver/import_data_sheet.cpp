@@ -30,8 +30,8 @@ std::string stated_title(const DeviceDescription& sheet) {
 // Of option, data sheet and plant the first that has one. A data sheet has the plant's in ASCII.
 std::string title_of(const DeviceDescription& sheet, const ImportOptions& options,
                      std::vector<std::string>& contradictions) {
-    const std::string of_plant = options.plant != nullptr ? options.plant->settings.title : "";
-    const std::string of_sheet = stated_title(sheet);
+    std::string of_plant = options.plant != nullptr ? options.plant->settings.title : "";
+    std::string of_sheet = stated_title(sheet);
     if (!options.title.empty()) {
         return options.title;
     }

@@ -177,7 +177,7 @@ std::optional<Value> Reading::numeric(std::uint32_t line, const TypeRow& type) {
         report_formula(line, type);
         return std::nullopt;
     }
-    const std::optional<Value> value = value_of(number, type);
+    std::optional<Value> value = value_of(number, type);
     if (!value) {
         report_too_large(line, type);
     }
@@ -196,7 +196,7 @@ std::optional<Value> Reading::real(std::uint32_t line, const TypeRow& type) {
                fmt::format("{}, which is no number", quoted_value(line)));
         return std::nullopt;
     }
-    const std::optional<Value> value = real_value(*number, type);
+    std::optional<Value> value = real_value(*number, type);
     if (!value) {
         report_too_large(line, type);
     }

@@ -22,6 +22,7 @@ void information(Printer& out, const std::string& prefix, const Module& module) 
 
 void fixed_objects(Printer& out, const std::string& prefix, const std::vector<dictionary::Object>& objects) {
     std::vector<std::uint16_t> indices;
+    indices.reserve(objects.size());
     for (const dictionary::Object& object : objects) {
         indices.push_back(object.index);
     }
@@ -45,6 +46,7 @@ void extension(Printer& out, const std::string& prefix, const ModuleExtension& e
 
 void extensions(Printer& out, const std::string& prefix, const std::vector<ModuleExtension>& all) {
     std::vector<std::uint16_t> indices;
+    indices.reserve(all.size());
     for (const ModuleExtension& each : all) {
         indices.push_back(each.index);
     }

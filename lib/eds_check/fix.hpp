@@ -23,6 +23,6 @@ struct Fixed {
 };
 
 // `text` has at most eds::largest_text bytes. Of the result there is nothing left to repair.
-Fixed fix(std::string text, const std::string& path, const Options& options);
+Fixed fix(std::string text, const std::string& path, const Options& given);
 
 }  // namespace cgw::eds_check

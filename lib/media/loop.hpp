@@ -3,7 +3,7 @@
 #pragma once
 
 #include <poll.h>
-#include <signal.h>
+#include <signal.h>  // NOLINT(modernize-deprecated-headers): sigset_t is of POSIX, not of <csignal>
 
 #include <functional>
 #include <initializer_list>

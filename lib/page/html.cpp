@@ -12,7 +12,7 @@ std::string marked(Tone tone, std::string_view text) {
     if (tone == Tone::plain) {
         return html_text(text);
     }
-    return fmt::format("<span class=\"{}\"><span class=\"mark\">{}:</span> {}</span>", class_of(tone),
+    return fmt::format(R"(<span class="{}"><span class="mark">{}:</span> {}</span>)", class_of(tone),
                        mark_of(tone), html_text(text));
 }
 

@@ -49,13 +49,13 @@ std::string part_svg(const Frame::Part& part) {
         const unsigned x = from * bit_width;
         const unsigned width = (to - from) * bit_width;
         const unsigned y = row * row_height + head;
-        svg += fmt::format(
-            "<g><title>{}</title><rect class=\"{}\" x=\"{}.5\" y=\"{}.5\" width=\"{}\" height=\"36\"/>",
-            html_text(part.label), part.used ? "part" : "gap", x, y, width - 1);
+        svg +=
+            fmt::format(R"(<g><title>{}</title><rect class="{}" x="{}.5" y="{}.5" width="{}" height="36"/>)",
+                        html_text(part.label), part.used ? "part" : "gap", x, y, width - 1);
         const std::string label = part.used ? fitting(part.label, width - 8) : "";
         if (!label.empty()) {
-            svg += fmt::format("<text x=\"{}\" y=\"{}\" text-anchor=\"middle\">{}</text>", x + width / 2,
-                               y + 23, html_text(label));
+            svg += fmt::format(R"(<text x="{}" y="{}" text-anchor="middle">{}</text>)", x + width / 2, y + 23,
+                               html_text(label));
         }
         svg += "</g>\n";
     }
