@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "base/canopen_text.hpp"
+#include "canopen/words.hpp"
 #include "emit/dbc_parts.hpp"
 #include "facts/identifiers.hpp"
 
@@ -66,11 +67,9 @@ dbc::Message nmt_message(const DbcNodes& nodes) {
     message.comment = "network management command";
     message.send_type = dbc::SendType::spontaneous;
     message.signals = {field("Command", 0, 8), field("NodeID", 8, 8)};
-    message.signals[0].values = {{1, "start"},
-                                 {2, "stop"},
-                                 {128, "enter Pre-Operational"},
-                                 {129, "reset node"},
-                                 {130, "reset communication"}};
+    for (const canopen::NmtCommandWords& row : canopen::nmt_commands) {
+        message.signals[0].values.push_back({static_cast<std::uint8_t>(row.command), std::string(row.text)});
+    }
     message.signals[1].comment = "0: all nodes";
     address(message, nodes.partner, nodes.gateway);
     return message;
@@ -95,8 +94,9 @@ dbc::Message heartbeat_message(const std::string& sender, const std::string& rec
     message.name = sender + "_Heartbeat";
     message.length = 1;
     message.signals = {field("State", 0, 7)};
-    message.signals[0].values = {
-        {0, "boot-up"}, {4, "Stopped"}, {5, "Operational"}, {127, "Pre-Operational"}};
+    for (const canopen::NmtStateText& row : canopen::nmt_states) {
+        message.signals[0].values.push_back({static_cast<std::uint8_t>(row.state), std::string(row.text)});
+    }
     address(message, sender, receiver);
     return message;
 }

@@ -8,7 +8,7 @@
 
 #include "base/canopen_text.hpp"
 #include "base/numbers.hpp"
-#include "canopen/protocol.hpp"
+#include "canopen/words.hpp"
 #include "facts/gateway.hpp"
 #include "scenario/run.hpp"
 #include "simulation/faults.hpp"
@@ -18,15 +18,12 @@
 namespace cgw::scenario {
 namespace {
 
-using canopen::NmtCommand;
 using simulation::Plant;
 
 constexpr Word sources[] = {{"RPDO1", ""}, {"RPDO2", ""},     {"RPDO3", ""},
                             {"RPDO4", ""}, {"heartbeat", ""}, {"all", "all of these"}};
 static_assert(std::size(sources) == facts::rpdo_count + 2U);
 
-constexpr NmtCommand commands[] = {NmtCommand::start, NmtCommand::stop, NmtCommand::enter_pre_operational,
-                                   NmtCommand::reset_node, NmtCommand::reset_communication};
 constexpr Word addressees[] = {{"gateway", ""}, {"all", "all nodes"}};
 constexpr Plant::BusName buses[] = {Plant::BusName::can1, Plant::BusName::can2};
 constexpr Word bus_names[] = {{"CAN1", "between governor and gateway"}, {"CAN2", "the CANopen bus"}};
@@ -110,8 +107,8 @@ std::span<const Word> source_words() {
 std::span<const Word> command_words() {
     static const std::vector<Word> words = [] {
         std::vector<Word> all;
-        for (const NmtCommand command : commands) {
-            all.push_back({simulation::to_text(command), ""});
+        for (const canopen::NmtCommandWords& row : canopen::nmt_commands) {
+            all.push_back({row.word, ""});
         }
         return all;
     }();
@@ -177,9 +174,9 @@ Outcome command(Run& run, const Step& step) {
     const auto row = static_cast<std::size_t>(step.subject().integer);
     const bool all = step.values[1].integer == 1;
     const std::uint8_t node = all ? canopen::all_nodes : plant.image().can2().own_node;
-    const bool sent = plant.node().master().command(commands[row], node);
-    return {fmt::format("the PLC commands {}", simulation::to_text(commands[row])), sent,
-            "the bus takes no frame"};
+    const canopen::NmtCommandWords& command = canopen::nmt_commands.at(row);
+    const bool sent = plant.node().master().command(command.command, node);
+    return {fmt::format("the PLC commands {}", command.word), sent, "the bus takes no frame"};
 }
 
 Outcome upload(Run& run, const Step& step) {

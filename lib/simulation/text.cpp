@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/canopen_text.hpp"
+#include "canopen/words.hpp"
 #include "simulation/scaling.hpp"
 
 namespace cgw::simulation {
@@ -77,31 +78,19 @@ int decimals(double span) {
 }  // namespace
 
 std::string_view to_text(canopen::NmtState state) {
-    switch (state) {
-        case canopen::NmtState::initialising:
-            return "boot-up";
-        case canopen::NmtState::stopped:
-            return "Stopped";
-        case canopen::NmtState::operational:
-            return "Operational";
-        case canopen::NmtState::pre_operational:
-            return "Pre-Operational";
+    for (const canopen::NmtStateText& row : canopen::nmt_states) {
+        if (row.state == state) {
+            return row.text;
+        }
     }
     return "unknown";
 }
 
 std::string_view to_text(canopen::NmtCommand command) {
-    switch (command) {
-        case canopen::NmtCommand::start:
-            return "start";
-        case canopen::NmtCommand::stop:
-            return "stop";
-        case canopen::NmtCommand::enter_pre_operational:
-            return "pre-operational";
-        case canopen::NmtCommand::reset_node:
-            return "reset-node";
-        case canopen::NmtCommand::reset_communication:
-            return "reset-communication";
+    for (const canopen::NmtCommandWords& row : canopen::nmt_commands) {
+        if (row.command == command) {
+            return row.word;
+        }
     }
     return "";
 }

@@ -2,38 +2,10 @@
 
 #include <array>
 
-#include "canopen/protocol.hpp"
+#include "canopen/words.hpp"
 
 namespace cgw::traffic {
 namespace {
-
-struct Word {
-    std::uint16_t value;
-    std::string_view text;
-};
-
-constexpr std::uint16_t number(canopen::NmtCommand command) {
-    return static_cast<std::uint16_t>(command);
-}
-
-constexpr std::uint16_t number(canopen::NmtState state) {
-    return static_cast<std::uint16_t>(state);
-}
-
-constexpr std::array commands{
-    Word{number(canopen::NmtCommand::start), "start"},
-    Word{number(canopen::NmtCommand::stop), "stop"},
-    Word{number(canopen::NmtCommand::enter_pre_operational), "enter Pre-Operational"},
-    Word{number(canopen::NmtCommand::reset_node), "reset node"},
-    Word{number(canopen::NmtCommand::reset_communication), "reset communication"},
-};
-
-constexpr std::array states{
-    Word{number(canopen::NmtState::initialising), "boot-up"},
-    Word{number(canopen::NmtState::stopped), "Stopped"},
-    Word{number(canopen::NmtState::operational), "Operational"},
-    Word{number(canopen::NmtState::pre_operational), "Pre-Operational"},
-};
 
 struct Code {
     std::uint16_t code;
@@ -77,24 +49,24 @@ constexpr std::array codes{
     Code{0xFF00, 0xFF00, "device-specific"},
 };
 
-template <typename Table>
-std::string_view find(const Table& table, std::uint16_t value) {
-    for (const Word& word : table) {
-        if (word.value == value) {
-            return word.text;
+}  // namespace
+
+std::string_view nmt_command_text(std::uint8_t command) {
+    for (const canopen::NmtCommandWords& row : canopen::nmt_commands) {
+        if (static_cast<std::uint8_t>(row.command) == command) {
+            return row.text;
         }
     }
     return {};
 }
 
-}  // namespace
-
-std::string_view nmt_command_text(std::uint8_t command) {
-    return find(commands, command);
-}
-
 std::string_view nmt_state_text(std::uint8_t state) {
-    return find(states, state);
+    for (const canopen::NmtStateText& row : canopen::nmt_states) {
+        if (static_cast<std::uint8_t>(row.state) == state) {
+            return row.text;
+        }
+    }
+    return {};
 }
 
 std::string_view emergency_text(std::uint16_t code) {
