@@ -66,10 +66,10 @@ constexpr std::string_view bit_timing_details =
     "With --rate: registers that make it, the best first. With --clock and --family\n"
     "alone: the best registers for each bit rate of CANopen.\n"
     "Registers are BRP,SJW,SAM,PS1,PS2,Prop and hold the quantity less one, as the\n"
-    "parameters 410..415 and 420..425 do (D7). The manuals\n"
-    "give neither clock nor family of the gateway's controllers: read them off the\n"
-    "board. SP % is the sample point, osc. % what each oscillator may be off, bus m\n"
-    "the longest bus in metres (D77).\n"
+    "parameters 410..415 and 420..425 do (D7). The manuals give neither clock nor\n"
+    "family of the gateway's controllers: read them off the board. SP % is the sample\n"
+    "point, osc. % what each oscillator may be off, bus m the longest bus in metres\n"
+    "(D77).\n"
     "Exit code 1 when the controller forbids the registers, or when no registers\n"
     "make the rate.\n";
 

@@ -1,6 +1,8 @@
 // Frames for people: a line each, in 80 columns.
 #include <fmt/format.h>
 
+#include <vector>
+
 #include "base/canopen_text.hpp"
 #include "base/text_cells.hpp"
 #include "base/wrap.hpp"
@@ -49,6 +51,11 @@ void add_wrapped(std::string& text, std::string head, const std::string& line) {
     }
 }
 
+void add_missing(std::string& text, const signals::Signal& signal, const std::string& what) {
+    add_wrapped(text, fmt::format("{:<6} ", place_of(signal)),
+                what + ": not in the frame, which is too short");
+}
+
 }  // namespace
 
 std::string text_frame(const Told& told) {
@@ -68,10 +75,14 @@ std::string explain_frame(const frame::Frame& frame, const Meaning& meaning) {
     if (pdo == nullptr || frame.remote) {
         return text;
     }
+    std::vector<const signals::Signal*> missing_flags;  // too many to be told one by one
     for (const signals::Signal& signal : pdo->signals) {
         if (!signals::reaches(signal, data)) {
-            add_wrapped(text, fmt::format("{:<6} ", place_of(signal)),
-                        signals::meaning_of(signal) + ": not in the frame, it is too short");
+            if (signal.is_error_flag()) {
+                missing_flags.push_back(&signal);
+            } else {
+                add_missing(text, signal, signals::meaning_of(signal));
+            }
             continue;
         }
         const std::int32_t raw = signals::raw_value(signal, data);
@@ -82,6 +93,13 @@ std::string explain_frame(const frame::Frame& frame, const Meaning& meaning) {
             text, fmt::format("{:<6} ", place_of(signal)),
             fmt::format("{}: {}{}{}", signals::meaning_of(signal), raw, shown_text(signal, raw),
                         signals::in_range(signal, raw) ? "" : ", beyond " + signals::range_text(signal)));
+    }
+    if (!missing_flags.empty()) {
+        const signals::Signal& first = *missing_flags.front();
+        const std::size_t more = missing_flags.size() - 1;
+        add_missing(
+            text, first,
+            signals::meaning_of(first) + (more == 0 ? "" : fmt::format(" and {} flags after it", more)));
     }
     return text;
 }

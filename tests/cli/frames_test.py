@@ -166,6 +166,10 @@ class DecodeFrame(unittest.TestCase):
             shown = decode(*words)
             self.assertEqual((shown.returncode, shown.stdout), (1, b""))
             self.assertIn("[E1206 frame-text]", shown.stderr.decode())
+        short = decode("0x18C", "20", "00", "00", "80").stdout.decode()
+        self.assertEqual(short.splitlines()[1:],
+                         ["0.5    3005 ErrSetpointExtern: 1", "3.7    error 3031: 1",
+                          "4.0    error 3032 and 31 flags after it: not in the frame, which is too short"])
         self.assertEqual(decode("run.log", "00").returncode, 2)
         self.assertEqual(decode("0x48C", "00", "--audit").returncode, 2)
         self.assertEqual(cgw("decode", "0x48C", "00").returncode, 2)
