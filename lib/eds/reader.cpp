@@ -17,6 +17,13 @@ bool is_utf_16(const Document& document) {
     return text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF");
 }
 
+bool begins_as_xml(const Document& document) {
+    constexpr std::size_t mark = 3;  // bytes of a byte order mark
+    const std::string& text = document.text();
+    const std::size_t first = text.find_first_not_of(" \t\r\n", document.has_byte_order_mark() ? mark : 0);
+    return first != std::string::npos && text[first] == '<';
+}
+
 // False where the bytes are no text of which anything can be read.
 bool judge_bytes(Reading& reading) {
     const Document& document = reading.document;
@@ -24,17 +31,20 @@ bool judge_bytes(Reading& reading) {
         reading.report_whole_file(rules::eds_text, "the file is UTF-16; an EDS has one byte per character");
         return false;
     }
-    if (document.sections().empty()) {
-        reading.report_whole_file(rules::eds_text, "the file has no section: it is no EDS");
+    if (is_sheet(document)) {
+        return true;
+    }
+    if (begins_as_xml(document)) {
+        reading.report_whole_file(rules::eds_text,
+                                  "the file is XML, no EDS; cgw convert makes an EDS of one of CiA 311");
         return false;
     }
-    if (!is_sheet(document)) {
-        reading.report_whole_file(
-            rules::eds_text, fmt::format("none of the sections is one of CiA 306, such as {}: it is no EDS",
-                                         reading.quoted(document.sections().front())));
-        return false;
-    }
-    return true;
+    reading.report_whole_file(
+        rules::eds_text, document.sections().empty()
+                             ? std::string("the file has no section: it is no EDS")
+                             : fmt::format("none of the sections is one of CiA 306, such as {}: it is no EDS",
+                                           reading.quoted(document.sections().front())));
+    return false;
 }
 
 void judge_lines(Reading& reading) {

@@ -110,7 +110,8 @@ std::string value_text(const Signal& signal, std::int32_t raw) {
 }
 
 std::string quantity_text(const Signal& signal, double physical) {
-    return with_unit(base::to_text(physical), signal);
+    const double rounded = base::parse_real(fmt::format("{:.12g}", physical)).value_or(physical);
+    return with_unit(base::to_text(rounded), signal);
 }
 
 std::string range_text(const Signal& signal) {

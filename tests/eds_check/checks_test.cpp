@@ -150,6 +150,10 @@ TEST(CheckFindings, are_none_of_bytes_that_are_no_sheet) {
          {std::string(), std::string("\xFF\xFE[\0", 4), std::string("no section")}) {
         EXPECT_EQ(test::checked(bytes).all().size(), 1U);  // the reader's
     }
+    for (const std::string text : {"<?xml version=\"1.0\"?>\n<a/>\n", "\xEF\xBB\xBF\r\n<a>\n[b]\n</a>\n"}) {
+        EXPECT_EQ(test::checked(text).all().front().message,
+                  "the file is XML, no EDS; cgw convert makes an EDS of one of CiA 311");
+    }
 }
 
 // Twice as much takes about twice as long: no file makes a check quadratic.

@@ -65,6 +65,11 @@ TEST(Codec, never_writes_a_negative_zero) {
     EXPECT_EQ(value_text(test::signal_of(test::scaled_row(2001, "Trim", -0.0004, 0.0004, -4, 4)), 0), "0");
 }
 
+TEST(Codec, writes_no_noise_of_binary_fractions) {
+    const Signal signal = test::signal_of(test::scaled_row(2001, "Leakage", 1e-6, 1e-3));
+    EXPECT_EQ(quantity_text(signal, 0.1 + 0.2), "0.3");
+}
+
 TEST(Codec, refuses_what_is_beyond_the_range) {
     const Signal signal = test::signal_of(speed_row);
     EXPECT_EQ(raw_of(signal, 4000), 65535);

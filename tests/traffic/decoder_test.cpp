@@ -65,6 +65,7 @@ TEST_F(Decode, pdos_in_engineering_units) {
 TEST_F(Decode, says_so_where_a_pdo_is_short_or_long) {
     EXPECT_EQ(text(0x48C, {0x00, 0x60, 0x00}), "Speed 1500.02 1/min, 3 bytes instead of 8");
     EXPECT_EQ(text(0x48C, {}), "0 bytes instead of 8");
+    EXPECT_EQ(text(0x48C, {1}), "1 byte instead of 8");
     EXPECT_EQ(text(0x50C, {1, 0, 9}), "AssignIn_CurrentLoad 1 raw, 3 bytes instead of 2");
 }
 
