@@ -19,7 +19,7 @@ std::vector<Word> encode_format_words() {
 constexpr Option encode_options[] = {
     parameter_file_option,
     {.names = "PDO", .summary = "TPDO4, RPDO2, 0x301: an active PDO of FILE", .required = true},
-    {.names = "VALUE", .summary = "NAME=VALUE; what is not given is 0", .repeats = true},
+    {.names = "VALUE", .summary = "NAME=VALUE; else functions off, the rest 0", .repeats = true},
     {.names = "--format",
      .value = "FORMAT",
      .summary = "form of the output",

@@ -102,27 +102,13 @@ void report(const Arguments& arguments, const BusMembers& members, diagnostic::F
     }
 }
 
-struct Judged {
-    std::optional<network::Analysis> analysis;
-    diagnostic::Findings findings;
-    std::vector<network::Message> messages;  // of all members, not merged
-};
-
-Judged judge(const BusMembers& members, const NetworkOptions& options) {
-    Judged judged;
-    const std::vector<network::Member> plants = members_of(members);
-    judged.messages = all_messages(members, options);
-    network::judge_owners(plants, judged.messages, judged.findings);
+network::Judged judge(const BusMembers& members, const NetworkOptions& options) {
+    network::Judged judged =
+        network::judge_bus(members_of(members), all_messages(members, options), options.bus, options.bands);
     for (const std::string& left_out : members.left_out) {
         judged.findings.report({.rule = &diagnostic::rules::message_not_counted,
                                 .message = left_out,
                                 .where = {members.plants.front().path, {}}});
-    }
-    network::Bus bus = options.bus;
-    if (const auto bit_rate = network::judge_bit_rate(plants, judged.findings)) {
-        bus.bit_rate = *bit_rate;
-        judged.analysis = network::analyse(network::merged(judged.messages), bus);
-        network::judge(*judged.analysis, options.bands, plants.front().rate_where, judged.findings);
     }
     return judged;
 }
@@ -162,13 +148,13 @@ void refuse_contradictions(const Arguments& arguments) {
 
 int run_suggest(const Arguments& arguments, const NetworkOptions& options, BusMembers& members) {
     const auto ask = [&](const BusMembers& now) {
-        const Judged judged = judge(now, options);
+        const network::Judged judged = judge(now, options);
         const bool works = judged.analysis && !judged.findings.has_errors();
         return BusState{works, judged.analysis ? judged.analysis->load.worst : 1};
     };
     const Suggestion suggestion = suggest(members, options, arguments.given("--keep-rate"), ask);
     if (!suggestion.reached) {
-        Judged judged = judge(members, options);
+        network::Judged judged = judge(members, options);
         report(arguments, members, judged.findings);
         print_error(fmt::format("nothing that --suggest may change brings the load below {} %",
                                 arguments.value("--target")));
@@ -198,7 +184,7 @@ int run_network(const Arguments& arguments) {
     bus.members = members_of(members);
     bus.bands = options.bands;
     if (!options.changes.empty()) {
-        Judged before = judge(members, options);
+        network::Judged before = judge(members, options);
         bus.before = std::move(before.analysis);
         bus.fails_before = before.findings.has_errors();
         apply_changes(members, options.changes);
@@ -206,7 +192,7 @@ int run_network(const Arguments& arguments) {
             bus.changes.push_back(change.text);
         }
     }
-    Judged judged = judge(members, options);
+    network::Judged judged = judge(members, options);
     report(arguments, members, judged.findings);
     if (!judged.analysis) {
         return exit_findings;

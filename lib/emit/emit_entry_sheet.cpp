@@ -30,7 +30,7 @@ std::string render_sheet_markdown(const EntrySheet& sheet) {
         fmt::format("# {}\n\nConfiguration `{}`, node {}\n", base::markdown_cell(heading_of(sheet)),
                     sheet.configuration_id, sheet.node_id);
     text += sheet.main_cycle.empty() ? "" : fmt::format("\n{}\n", sheet.main_cycle);
-    text += fmt::format("\n{}\n", defaults_remark);
+    text += fmt::format("\n{} {}\n", tables_remark, defaults_remark);
     for (const DeviceSheet& device : sheet.devices) {
         text += fmt::format("\n## {}: set these\n\n", device_heading(device.device));
         markdown_table(text, device, true);

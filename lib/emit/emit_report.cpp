@@ -34,8 +34,9 @@ page::Page report_page(const Plant& plant) {
     Judgement judgement;
     Blocks sections;
     add_devices(plant, sections);
-    add_findings(plant, sections, judgement);
-    add_network(plant, sections, judgement);
+    const network::Judged bus = judge_network(plant);
+    add_findings(plant, bus, sections, judgement);
+    add_network(bus, sections, judgement);
     add_not_verified(plant, sections, judgement);
     add_changes(plant, sections);
     add_pdos(plant, sections);

@@ -55,7 +55,7 @@ std::string render_sheet_html(const EntrySheet& sheet) {
         "<style>\n{}</style>\n</head>\n<body>\n<h1>{}</h1>\n<p>Configuration <code>{}</code>, node {}</p>\n",
         heading, style, heading, sheet.configuration_id, sheet.node_id);
     text += sheet.main_cycle.empty() ? "" : fmt::format("<p>{}</p>\n", html_text(sheet.main_cycle));
-    text += fmt::format("<p>{}</p>\n", html_text(defaults_remark));
+    text += fmt::format("<p>{} {}</p>\n", html_text(tables_remark), html_text(defaults_remark));
     for (const DeviceSheet& device : sheet.devices) {
         const std::string_view name = device_heading(device.device);
         text += fmt::format("<h2>{}: set these</h2>\n{}", name, table(device, true, "Typed"));

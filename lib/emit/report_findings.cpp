@@ -4,6 +4,7 @@
 #include <array>
 #include <tuple>
 
+#include "diagnostic/rules/network.hpp"
 #include "diagnostic/rules/notes.hpp"
 #include "emit/report_parts.hpp"
 #include "parameter/value_text.hpp"
@@ -17,13 +18,16 @@ using page::Tone;
 
 constexpr std::array<Tone, 3> tones{Tone::bad, Tone::warning, Tone::plain};  // of error, warning, note
 
-// Those about the plant, the gravest first. How the file spells its numbers and in which order is no matter
-// of the plant.
-std::vector<const Diagnostic*> by_weight(std::span<const Diagnostic> findings) {
+// Those about the plant and its bus, the gravest first. How the file spells its numbers and in which order is
+// no matter of the plant; that the bit rate is not known stands with the bus.
+std::vector<const Diagnostic*> by_weight(std::span<const Diagnostic> of_plant, const network::Judged& bus) {
     std::vector<const Diagnostic*> sorted;
-    for (const Diagnostic& finding : findings) {
-        if (finding.rule != &diagnostic::rules::manual_misprint) {
-            sorted.push_back(&finding);
+    for (const std::span<const Diagnostic> findings : {of_plant, std::span(bus.findings.all())}) {
+        for (const Diagnostic& finding : findings) {
+            if (finding.rule != &diagnostic::rules::manual_misprint &&
+                finding.rule != &diagnostic::rules::bus_bit_rate_unknown) {
+                sorted.push_back(&finding);
+            }
         }
     }
     std::stable_sort(sorted.begin(), sorted.end(), [](const Diagnostic* a, const Diagnostic* b) {
@@ -33,27 +37,28 @@ std::vector<const Diagnostic*> by_weight(std::span<const Diagnostic> findings) {
     return sorted;
 }
 
-std::string counted(std::size_t count, std::string_view what) {
-    return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
-}
-
 std::string change_text(const parameter::Row& row, double value) {
     return parameter::value_text(row, value);
 }
 
 }  // namespace
 
-void add_findings(const Plant& plant, Blocks& blocks, Judgement& judgement) {
-    const std::vector<const Diagnostic*> findings = by_weight(plant.findings);
+std::string counted(std::size_t count, std::string_view what) {
+    return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
+}
+
+void add_findings(const Plant& plant, const network::Judged& bus, Blocks& blocks, Judgement& judgement) {
+    const std::vector<const Diagnostic*> findings = by_weight(plant.findings, bus);
     std::array<std::size_t, 3> counts{};
     for (const Diagnostic* const finding : findings) {
         ++counts[static_cast<std::size_t>(finding->level())];
     }
-    const std::size_t warnings = counts[static_cast<std::size_t>(Level::warning)];
-    const std::size_t notes = counts[static_cast<std::size_t>(Level::note)];
-    judgement.add(
-        warnings > 0 ? Tone::warning : Tone::good,
-        fmt::format("checks: no errors, {}, {}", counted(warnings, "warning"), counted(notes, "note")));
+    const auto [errors, warnings, notes] = counts;
+    judgement.add(errors > 0     ? Tone::bad
+                  : warnings > 0 ? Tone::warning
+                                 : Tone::good,
+                  fmt::format("checks: {}, {}, {}", errors > 0 ? counted(errors, "error") : "no errors",
+                              counted(warnings, "warning"), counted(notes, "note")));
     blocks.emplace_back(page::Heading{2, "Findings"});
     if (findings.empty()) {
         blocks.emplace_back(page::Paragraph{"No check has anything to say."});

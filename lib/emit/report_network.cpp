@@ -75,7 +75,7 @@ page::Table messages_table(const Analysis& analysis) {
                               {percent(result.load.worst), Tone::plain,
                                Bar{result.load.worst, percent(result.load.worst) + " of the bus"}},
                               response_cell(result),
-                              message.deadline_us == 0 ? "none" : milliseconds(message.deadline_us),
+                              message.deadline_us == 0 ? "none" : base::milliseconds_text(message.deadline_us),
                               verdict_text(result)});
     }
     return table;
@@ -135,34 +135,39 @@ void judge(const Analysis& analysis, Judgement& judgement) {
                               percent(analysis.load.worst), analysis.bus.bit_rate / 1000, to_text(band)));
     if (late + unbounded == 0) {
         judgement.add(Tone::good, fmt::format("all {} messages are in time", analysis.messages.size()));
-    } else {
-        judgement.add(Tone::bad,
-                      fmt::format("{} messages may be late, {} may wait for ever", late, unbounded));
+    }
+    if (late > 0) {
+        judgement.add(Tone::bad, counted(late, "message") + " may be late");
+    }
+    if (unbounded > 0) {
+        judgement.add(Tone::bad, counted(unbounded, "message") + " may wait for ever");
     }
 }
 
 }  // namespace
 
-void add_network(const Plant& plant, Blocks& blocks, Judgement& judgement) {
+network::Judged judge_network(const Plant& plant) {
+    const std::vector<network::Member> members{network::member_of(plant.settings, plant.configuration)};
+    return network::judge_bus(members, network::messages_of(plant.settings, plant.configuration, 0), {}, {});
+}
+
+void add_network(const network::Judged& bus, Blocks& blocks, Judgement& judgement) {
     blocks.emplace_back(page::Heading{2, "CANopen bus"});
-    const auto rate = config::bit_rate(plant.configuration.can2, plant.settings.can2_bit_timing);
-    if (!rate || *rate < network::lowest_bit_rate || *rate > network::highest_bit_rate) {
+    if (!bus.analysis) {
         blocks.emplace_back(page::Paragraph{
             "The bit rate is set by hand and not known: nothing can be said of load and response times (D7).",
             Tone::warning});
         judgement.add(Tone::warning, "CANopen bus: bit rate not known");
         return;
     }
-    const std::vector<network::Message> messages =
-        network::messages_of(plant.settings, plant.configuration, 0);
-    const Analysis analysis = network::analyse(network::merged(messages), {.bit_rate = *rate});
+    const Analysis& analysis = *bus.analysis;
     judge(analysis, judgement);
     blocks.emplace_back(page::Paragraph{fmt::format(
         "{} on average and {} in the worst case, at {} kbit/s. Other nodes count as far as the parameter "
         "file names them.",
-        percent(analysis.load.average), percent(analysis.load.worst), *rate / 1000)});
+        percent(analysis.load.average), percent(analysis.load.worst), analysis.bus.bit_rate / 1000)});
     blocks.emplace_back(messages_table(analysis));
-    add_identifiers(messages, blocks);
+    add_identifiers(bus.messages, blocks);
 }
 
 }  // namespace cgw::emit

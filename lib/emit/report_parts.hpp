@@ -2,11 +2,14 @@
 #pragma once
 
 #include "emit/emitter.hpp"
+#include "network/judge.hpp"
 #include "page/page.hpp"
 
 namespace cgw::emit {
 
 using Blocks = std::vector<page::Block>;
+
+std::string counted(std::size_t count, std::string_view what);  // "1 note", "2 notes"
 
 // What the sections say together, for the verdict.
 struct Judgement {
@@ -21,13 +24,14 @@ void add_devices(const Plant& plant, Blocks& blocks);
 void add_times(const Plant& plant, Blocks& blocks);
 
 // report_network.cpp: identifiers, load and response times of the CANopen bus.
-void add_network(const Plant& plant, Blocks& blocks, Judgement& judgement);
+network::Judged judge_network(const Plant& plant);
+void add_network(const network::Judged& bus, Blocks& blocks, Judgement& judgement);
 
 // report_pdos.cpp: each active PDO.
 void add_pdos(const Plant& plant, Blocks& blocks);
 
 // report_findings.cpp: findings, what nobody checked, changes.
-void add_findings(const Plant& plant, Blocks& blocks, Judgement& judgement);
+void add_findings(const Plant& plant, const network::Judged& bus, Blocks& blocks, Judgement& judgement);
 void add_not_verified(const Plant& plant, Blocks& blocks, Judgement& judgement);
 void add_changes(const Plant& plant, Blocks& blocks);
 

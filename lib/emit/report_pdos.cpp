@@ -59,9 +59,8 @@ page::Table words_table(const Frame& frame) {
                       {{"Bytes"}, {"Meaning"}, {"Object"}, {"Scaling"}, {"For example"}},
                       {}};
     for (const Signal& signal : frame.signals) {
-        table.rows.push_back({place_of(signal), meaning_of(signal),
-                              base::object_text(signal.index, signal.sub_index), scaling_text(signal),
-                              example_text(signal)});
+        table.rows.push_back({place_of(signal), meaning_of(signal), object_place(signal),
+                              scaling_text(signal), example_text(signal)});
     }
     return table;
 }
@@ -73,22 +72,19 @@ bool nameless(const Signal& signal) {
                        [](const signals::Source& source) { return source.name.empty(); });
 }
 
-std::string object_bit_text(const Signal& signal) {
-    return fmt::format("{} bit {}", base::object_text(signal.index, signal.sub_index), signal.object_bit);
-}
-
 std::vector<page::Cell> bits_row(const Signal& first, const Signal& last) {
     if (&first == &last) {
-        return {place_of(first), meaning_of(first), object_bit_text(first)};
+        return {place_of(first), meaning_of(first), bit_values_text(first), object_place(first)};
     }
     return {fmt::format("{} to {}", place_of(first), place_of(last)),
             fmt::format("errors {} to {}, without a name in the manuals", first.number, last.number),
-            fmt::format("{} to {}", object_bit_text(first), object_bit_text(last))};
+            bit_values_text(first), fmt::format("{} to {}", object_place(first), object_place(last))};
 }
 
 page::Table bits_table(const Frame& frame) {
-    page::Table table{
-        fmt::format("What the bits of {} mean", frame.name), {{"Bit"}, {"Meaning"}, {"Object"}}, {}};
+    page::Table table{fmt::format("What the bits of {} mean", frame.name),
+                      {{"Bit"}, {"Meaning"}, {"Values"}, {"Object"}},
+                      {}};
     for (std::size_t i = 0; i < frame.signals.size(); ++i) {
         const Signal& first = frame.signals[i];
         while (nameless(first) && i + 1 < frame.signals.size() && nameless(frame.signals[i + 1])) {

@@ -28,14 +28,15 @@ const std::array<std::string_view, 4> closing_steps = {
 };
 
 const std::string_view switches_remark =
-    "Switch functions and sensors that are not listed do not come over CANopen: their 48nn and 49nn must not "
-    "be "
-    "3.";
+    "Switch functions and sensors that are not listed do not come over CANopen: their 48nn and 49nn must "
+    "not be 3.";
+
+const std::string_view tables_remark =
+    "The table \"set these\" holds only what differs from the default: it is enough for a device whose other "
+    "values are 0. Into any other device type the table \"all that concern CANopen\".";
 
 const std::string_view defaults_remark =
-    "The table \"set these\" holds only what differs from the default: it is enough for a device whose other "
-    "values are 0. Into any other device type the table \"all that concern CANopen\". Default 0 is an "
-    "assumption: the manuals print no defaults.";
+    "Default 0 is an assumption: the manuals print no defaults.";
 
 namespace {
 

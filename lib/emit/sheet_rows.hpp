@@ -44,7 +44,7 @@ extern const std::array<std::string_view, 4> closing_steps;
 
 extern const std::string_view switches_remark;
 
-// Which of the two tables to type: the manuals print no defaults.
+extern const std::string_view tables_remark;  // which of the two tables to type
 extern const std::string_view defaults_remark;
 
 std::string heading_of(const EntrySheet& sheet);            // "Entry sheet: Genset 2"

@@ -9,6 +9,7 @@
 #include "base/numbers.hpp"
 #include "config/numbers.hpp"
 #include "diagnostic/rules/network.hpp"
+#include "network/sources.hpp"
 
 namespace cgw::network {
 namespace {
@@ -239,6 +240,19 @@ void judge(const Analysis& analysis, const Bands& bands, const Location& bus, Fi
     }
     judge_times(analysis, findings);
     judge_lengths(analysis, findings);
+}
+
+Judged judge_bus(std::span<const Member> members, std::vector<Message> messages, const Bus& conditions,
+                 const Bands& bands) {
+    Judged judged{std::move(messages), std::nullopt, {}};
+    judge_owners(members, judged.messages, judged.findings);
+    if (const auto bit_rate = judge_bit_rate(members, judged.findings)) {
+        Bus bus = conditions;
+        bus.bit_rate = *bit_rate;
+        judged.analysis = analyse(merged(judged.messages), bus);
+        judge(*judged.analysis, bands, members.front().rate_where, judged.findings);
+    }
+    return judged;
 }
 
 }  // namespace cgw::network

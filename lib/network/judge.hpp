@@ -49,6 +49,17 @@ void judge_owners(std::span<const Member> members, std::span<const Message> mess
 void judge(const Analysis& analysis, const Bands& bands, const diagnostic::Location& bus,
            diagnostic::Findings& findings);
 
+// A bus as it was judged.
+struct Judged {
+    std::vector<Message> messages;     // of all members, not merged
+    std::optional<Analysis> analysis;  // nothing where the bit rate is not known
+    diagnostic::Findings findings;
+};
+
+// All of the above. `conditions` are those of the bus but for its bit rate; `members` is not empty.
+Judged judge_bus(std::span<const Member> members, std::vector<Message> messages, const Bus& conditions,
+                 const Bands& bands);
+
 // Two messages that are not the same one told twice: an identifier with two senders.
 bool are_in_conflict(const Message& a, const Message& b);
 

@@ -2,10 +2,13 @@
 // packing.
 #include <fmt/format.h>
 
+#include <span>
+
 #include "base/canopen_text.hpp"
 #include "facts/identifiers.hpp"
 #include "partner/c_parts.hpp"
 #include "partner/text.hpp"
+#include "signals/codec.hpp"
 #include "signals/layout.hpp"
 
 namespace cgw::partner {
@@ -29,6 +32,7 @@ constexpr std::string_view head =
     "     {prefix}_rpdo2_setraw_X   the number\n"
     "     {prefix}_rpdo2_set_X      the physical value; 0, and nothing is written, beyond MIN and MAX\n"
     "     {prefix}_rpdo1_turn_X     a switch function on or off, low-active ones as well\n"
+    "   Begin with {prefix}_rpdo1 x = {macro}_RPDO1_REST: a struct of zeros turns low-active functions on.\n"
     "   A raw value beyond RAWMIN and RAWMAX has no meaning. The compiler must not fuse multiplication and\n"
     "   addition (ISO modes do not) where the last bit of a value matters. */\n";
 
@@ -101,6 +105,10 @@ constexpr std::string_view frame_head =
     "typedef struct {{ uint8_t bytes[{length}]; }} {type};\n"
     "typedef char {type}_is_packed[sizeof({type}) == {length}u ? 1 : -1];\n";
 
+constexpr std::string_view rest_line =
+    "/* Every switch function off, all else 0. */\n"
+    "#define {}_REST {{ {{ {:#04x} }} }}\n";
+
 // What a frame of the bus brings: shorter ones are none of the gateway's.
 constexpr std::string_view taking =
     "static inline int {type}_take({type} *pdo, uint32_t cob_id, const uint8_t *data, unsigned length)\n"
@@ -123,6 +131,7 @@ std::string bit_rate(const Half& half, const std::string& macro) {
 std::string frame_text(const CFrame& of) {
     const signals::Frame& frame = of.frame;
     const bool transmit = frame.transmit();
+    const signals::Data rest = signals::rest_data(frame);
     std::string text =
         fmt::format(frame_head, arg("name", frame.name), arg("macro", of.macro), arg("type", of.type),
                     arg("communication", base::object_text(frame.communication)),
@@ -131,6 +140,8 @@ std::string frame_text(const CFrame& of) {
                     arg("time", signals::time_text(frame)), arg("identifier", frame.identifier),
                     arg("period", transmit ? "CYCLE_US" : "MONITORING_US"),
                     arg("period_us", transmit ? frame.period_us : frame.monitoring_us)) +
+        (transmit ? ""
+                  : fmt::format(rest_line, of.macro, fmt::join(std::span(rest).first(frame.length), ", "))) +
         fmt::format(taking, arg("type", of.type), arg("macro", of.macro)) + c_bits(of);
     for (const signals::Signal& signal : frame.signals) {
         text += signal.is_bit() ? "" : c_word(of, signal);

@@ -1,9 +1,12 @@
 // The partner's half for Python 3: tables, functions that need no library, and glue for the library canopen.
 #include <fmt/format.h>
 
+#include <span>
+
 #include "partner/half.hpp"
 #include "partner/python_code.hpp"
 #include "partner/text.hpp"
+#include "signals/codec.hpp"
 #include "signals/comment.hpp"
 
 namespace cgw::partner {
@@ -38,8 +41,8 @@ constexpr std::string_view head =
     "\n"
     "# `read`: the gateway sends it. `time_us`: then the time between two frames, 0 on change; else the "
     "longest time\n"
-    "# between two of the partner's, 0 any.\n"
-    "Pdo = collections.namedtuple(\"Pdo\", \"name cob_id length read time_us signals\")\n"
+    "# between two of the partner's, 0 any. `rest`: every switch function off, all else 0.\n"
+    "Pdo = collections.namedtuple(\"Pdo\", \"name cob_id length read time_us rest signals\")\n"
     "# Physical value = raw * factor + offset, None where the scaling is not known. `on`: what a bit is when "
     "the switch\n"
     "# is on. Bit 0 is the lowest of byte 0; numbers stand low byte first.\n"
@@ -68,9 +71,12 @@ std::string signal_line(const signals::Signal& signal) {
 }
 
 std::string pdo_lines(const signals::Frame& frame) {
-    std::string text = fmt::format("    Pdo({}, 0x{:03X}, {}, {}, {}, (\n", python_string(frame.name),
-                                   frame.identifier, frame.length, python_bool(frame.transmit()),
-                                   frame.transmit() ? frame.period_us : frame.monitoring_us);
+    const signals::Data rest = signals::rest_data(frame);
+    std::string text =
+        fmt::format("    Pdo({}, 0x{:03X}, {}, {}, {}, bytes.fromhex(\"{:02X}\"), (\n",
+                    python_string(frame.name), frame.identifier, frame.length, python_bool(frame.transmit()),
+                    frame.transmit() ? frame.period_us : frame.monitoring_us,
+                    fmt::join(std::span(rest).first(frame.length), ""));
     for (const signals::Signal& signal : frame.signals) {
         text += signal_line(signal);
     }

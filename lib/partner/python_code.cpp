@@ -57,12 +57,12 @@ def decode(cob_id, data):
 
 
 def encode(name, values, data=None):
-    """The bytes of a receive PDO. Signals that `values` leaves out keep what they are in `data`, else 0."""
+    """The bytes of a receive PDO. What `values` leaves out stays as in `data`, else as in the PDO's rest."""
     pdo = find_pdo(name)
     if pdo.read:
         raise ValueError("{} is sent by the gateway alone".format(name))
     signals = {signal.name: signal for signal in pdo.signals}
-    word = int.from_bytes(bytes(data or bytes(pdo.length)), "little")
+    word = int.from_bytes(bytes(data or pdo.rest), "little")
     for key, value in values.items():
         if key not in signals:
             raise KeyError("{} carries no {!r}".format(name, key))

@@ -143,9 +143,10 @@ constexpr std::string_view helpers =
 
 std::string constants(const StFrame& of) {
     const signals::Frame& frame = *of.frame;
-    return fmt::format("    {0}_COB_ID : UINT := 16#{1:03X};\n    {0}_{2} : UDINT := {3};\n", of.type,
-                       frame.identifier, frame.transmit() ? "CYCLE_US" : "MONITORING_US",
-                       frame.transmit() ? frame.period_us : frame.monitoring_us);
+    return fmt::format(
+        "    {0}_COB_ID : UINT := 16#{1:03X};\n    {0}_LENGTH : UINT := {2};\n    {0}_{3} : UDINT := {4};\n",
+        of.type, frame.identifier, frame.length, frame.transmit() ? "CYCLE_US" : "MONITORING_US",
+        frame.transmit() ? frame.period_us : frame.monitoring_us);
 }
 
 std::string member_comment(const StMember& member) {

@@ -179,8 +179,19 @@ std::uint32_t event_time_ms(const signals::Frame& frame) {
     return none ? no_time_ms : std::max<std::uint32_t>(time, 1);
 }
 
+// What is sent until the program sets it.
+std::string rest_lines(const StxFrame& of) {
+    const signals::Data rest = signals::rest_data(*of.frame);
+    std::string text = "// Until the program sets them: every switch function off, all else 0\n";
+    for (const StxWord& word : of.words) {
+        text += fmt::format("{} := {};\n", word.variable, rest[word.byte] | rest[word.byte + 1U] << 8U);
+    }
+    return text;
+}
+
 std::string calls(const StxFrame& of, const std::string& result) {
     std::string text = fmt::format("// {}, {} bytes\n", of.frame->name, of.frame->length);
+    text += of.frame->transmit() ? "" : rest_lines(of);
     for (const StxWord& word : of.words) {
         text += fmt::format(
             "{result} := {result} + CanOpenAddPDO{way}({prefix}_CAN_NO, {macro}_COB_ID, {byte}, "

@@ -67,6 +67,18 @@ void put_raw(const Signal& signal, Data& data, std::int32_t raw) {
     data[byte + 1] = static_cast<std::uint8_t>(word >> byte_bits);
 }
 
+Data rest_data(const Frame& frame) {
+    Data data{};
+    for (const Signal& signal : frame.signals) {
+        for (const NamedValue& value : signal.values) {
+            if (signal.kind == Kind::switch_function && value.text == "off") {
+                put_raw(signal, data, value.raw);
+            }
+        }
+    }
+    return data;
+}
+
 bool can_carry(const Signal& signal, std::int64_t raw) {
     const std::int64_t count = std::int64_t{1} << signal.width;
     return signal.is_signed ? raw >= -count / 2 && raw < count / 2 : raw >= 0 && raw < count;

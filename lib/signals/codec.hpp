@@ -22,6 +22,10 @@ std::int32_t raw_value(const Signal& signal, std::span<const std::uint8_t> data)
 // `raw` is one that can_carry().
 void put_raw(const Signal& signal, Data& data, std::int32_t raw);
 
+// What to send of a frame before anything is set: switch functions off, which of low-active ones is 1; all
+// else 0.
+Data rest_data(const Frame& frame);
+
 // Width and sign hold the number: 0..1, 0..65535, -32768..32767.
 bool can_carry(const Signal& signal, std::int64_t raw);
 

@@ -3,20 +3,14 @@
 #include <fmt/format.h>
 
 #include "base/canopen_text.hpp"
+#include "signals/layout.hpp"
+#include "signals/parts.hpp"
 
 namespace cgw::signals {
 namespace {
 
 std::string object_text(const Signal& signal) {
     return base::object_text(signal.index, signal.sub_index);
-}
-
-std::string labels_of(const std::vector<Source>& sources) {
-    std::string text;
-    for (const Source& source : sources) {
-        text += (text.empty() ? "" : ", ") + source.label();
-    }
-    return text;
 }
 
 std::string error_comment(const Signal& signal) {
@@ -28,7 +22,7 @@ std::string error_comment(const Signal& signal) {
 }
 
 std::string switch_comment(const Signal& signal) {
-    std::string comment = fmt::format("{} bit {}", object_text(signal), signal.object_bit + 1);
+    std::string comment = object_place(signal);
     for (const Source& source : signal.sources) {
         comment += fmt::format("; {}, {}", source.label(),
                                source.low_active ? "low-active: 0 is on" : "high-active: 1 is on");
@@ -47,18 +41,25 @@ std::string sensor_comment(const Signal& signal) {
 
 }  // namespace
 
+std::string labels_of(const std::vector<Source>& sources) {
+    std::string text;
+    for (const Source& source : sources) {
+        text += (text.empty() ? "" : ", ") + source.label();
+    }
+    return text;
+}
+
 std::string comment_of(const Signal& signal) {
     switch (signal.kind) {
         case Kind::error:
             return error_comment(signal);
         case Kind::engine_state:
-            return fmt::format("{} bit {}; its meaning depends on the governor and is not printed",
-                               object_text(signal), signal.object_bit + 1);
+            return object_place(signal) + "; its meaning depends on the governor and is not printed";
         case Kind::switch_function:
             return switch_comment(signal);
         case Kind::sensor_flag:
-            return fmt::format("{} bit {}, error flag of channel {}: {}; 1: faulty", object_text(signal),
-                               signal.object_bit + 1, signal.channel, labels_of(signal.sources));
+            return fmt::format("{}, error flag of channel {}: {}; 1: faulty", object_place(signal),
+                               signal.channel, labels_of(signal.sources));
         case Kind::measurement:
             return fmt::format("{}, {}", labels_of(signal.sources), object_text(signal));
         case Kind::sensor:

@@ -180,7 +180,7 @@ const Frame* demand_frame(const std::vector<Frame>& frames, std::string_view nam
 }
 
 Encoded encode(const Frame& frame, std::span<const std::string> assignments, diagnostic::Findings& findings) {
-    Encoded encoded{.frame = &frame};
+    Encoded encoded{.frame = &frame, .data = rest_data(frame)};
     for (const std::string& assignment : assignments) {
         tl::expected<Given, Fault> given = read_assignment(frame, assignment);
         if (given && std::any_of(encoded.given.begin(), encoded.given.end(),

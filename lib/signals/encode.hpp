@@ -20,7 +20,7 @@ struct Given {
 
 struct Encoded {
     const Frame* frame = nullptr;
-    Data data{};                 // signals that are not given are 0, as are bits without a signal
+    Data data{};                 // what is not given is as in rest_data()
     std::vector<Given> given{};  // in the order of the signals
 };
 

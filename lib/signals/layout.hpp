@@ -34,6 +34,12 @@ std::string time_text(const Frame& frame);
 // "2000 Speed", "900 AssignIn_Setp1Ext, 901 …"; an error without a name "error 3001"; "engine state bit 1"
 std::string meaning_of(const Signal& signal);
 
+// Where in the object dictionary: "2000h:1"; of a bit "2003h:1 bit 3", 1 being the lowest (D23).
+std::string object_place(const Signal& signal);
+
+// What the two values of a bit say: "1: present", "0: on, 1: off"; "" of a word, and where nobody says.
+std::string bit_values_text(const Signal& signal);
+
 // Bytes from left to right for a frame of words, bits below each other for one of bits; lines of at most 80
 // columns, each ended by LF.
 std::string diagram_of(const Frame& frame);

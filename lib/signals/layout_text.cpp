@@ -8,26 +8,13 @@
 #include "base/wrap.hpp"
 #include "signals/codec.hpp"
 #include "signals/layout.hpp"
+#include "signals/parts.hpp"
 
 namespace cgw::signals {
 namespace {
 
 constexpr std::size_t columns = 80;
 constexpr unsigned byte_bits = 8;
-
-std::string labels_of(const std::vector<Source>& sources) {
-    std::string text;
-    for (const Source& source : sources) {
-        text += (text.empty() ? "" : ", ") + source.label();
-    }
-    return text;
-}
-
-std::string object_of(const Signal& signal) {
-    return signal.is_bit() ? fmt::format("{} bit {}", base::object_text(signal.index, signal.sub_index),
-                                         signal.object_bit + 1)
-                           : base::object_text(signal.index, signal.sub_index);
-}
 
 std::string bytes_of(const Signal& signal) {
     const unsigned byte = signal.first_bit / byte_bits;
@@ -37,22 +24,6 @@ std::string bytes_of(const Signal& signal) {
 
 std::string mask_of(const Signal& signal) {
     return fmt::format("{:02X}h", 1U << signal.first_bit % byte_bits);
-}
-
-// What the two values of a bit say.
-std::string bit_text(const Signal& signal) {
-    switch (signal.kind) {
-        case Kind::error:
-            return "1: present";
-        case Kind::sensor_flag:
-            return "1: faulty";
-        case Kind::switch_function:
-            return signal.values.empty()
-                       ? "its functions disagree about 0 and 1"
-                       : fmt::format("0: {}, 1: {}", signal.values[0].text, signal.values[1].text);
-        default:
-            return {};
-    }
 }
 
 std::string scaling_line(const Signal& signal) {
@@ -109,15 +80,15 @@ void add_wrapped(std::string& text, std::string_view head, const std::string& li
 }
 
 void add_bit(std::string& text, const Signal& signal) {
-    const std::string meaning = bit_text(signal);
+    const std::string meaning = bit_values_text(signal);
     add_wrapped(text,
-                fmt::format("{:<5} {:<4} {:<15} ", bytes_of(signal), mask_of(signal), object_of(signal)),
+                fmt::format("{:<5} {:<4} {:<15} ", bytes_of(signal), mask_of(signal), object_place(signal)),
                 base::one_line(meaning_of(signal)) + (meaning.empty() ? "" : "; " + meaning));
 }
 
 void add_word(std::string& text, const Signal& signal) {
     const std::string indent(18, ' ');
-    add_wrapped(text, fmt::format("{:<6} {:<10} ", bytes_of(signal), object_of(signal)),
+    add_wrapped(text, fmt::format("{:<6} {:<10} ", bytes_of(signal), object_place(signal)),
                 base::one_line(meaning_of(signal)));
     add_wrapped(text, indent, base::one_line(scaling_line(signal)));
     add_wrapped(text, indent, base::one_line(example_line(signal)));
@@ -145,9 +116,9 @@ std::string heading(const Sheet& sheet) {
 }
 
 void markdown_row(std::string& text, const Signal& signal) {
-    const std::string meaning = signal.is_bit() ? bit_text(signal) : scaling_line(signal);
+    const std::string meaning = signal.is_bit() ? bit_values_text(signal) : scaling_line(signal);
     text += fmt::format("| {} | {} | {} | {} | {} | {} |\n", bytes_of(signal),
-                        signal.is_bit() ? mask_of(signal) : "", object_of(signal),
+                        signal.is_bit() ? mask_of(signal) : "", object_place(signal),
                         base::markdown_cell(meaning_of(signal)), base::markdown_cell(meaning),
                         signal.is_bit() ? "" : base::markdown_cell(example_line(signal)));
 }
@@ -182,6 +153,26 @@ std::string time_text(const Frame& frame) {
     }
     return frame.monitoring_us == 0 ? "not monitored"
                                     : "monitored for " + base::milliseconds_text(frame.monitoring_us);
+}
+
+std::string object_place(const Signal& signal) {
+    const std::string object = base::object_text(signal.index, signal.sub_index);
+    return signal.is_bit() ? fmt::format("{} bit {}", object, signal.object_bit + 1) : object;
+}
+
+std::string bit_values_text(const Signal& signal) {
+    switch (signal.kind) {
+        case Kind::error:
+            return "1: present";
+        case Kind::sensor_flag:
+            return "1: faulty";
+        case Kind::switch_function:
+            return signal.values.empty()
+                       ? "its functions disagree about 0 and 1"
+                       : fmt::format("0: {}, 1: {}", signal.values[0].text, signal.values[1].text);
+        default:
+            return {};
+    }
 }
 
 std::string meaning_of(const Signal& signal) {

@@ -26,6 +26,9 @@ Source source_of(const parameter::Row& row);
 std::string sensor_name(const parameter::Row& row, std::string_view ending = {});
 std::vector<Source> sensors_of(const config::Configuration& configuration, std::uint8_t channel);
 
+// "900 AssignIn_Setp1Ext, 901 …"
+std::string labels_of(const std::vector<Source>& sources);
+
 std::vector<Signal> error_signals(const Origin& origin, const PlacedWord& placed);
 std::vector<Signal> engine_state_signals(const PlacedWord& placed);
 std::vector<Signal> switch_signals(const Origin& origin, const PlacedWord& placed);

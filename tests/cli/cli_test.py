@@ -684,6 +684,19 @@ class Emit(Verb):
         same = cgw("emit", "report", GENSET, "--against", GENSET, "--format", "md").stdout.decode()
         self.assertIn("Nothing differs from genset.toml.", same)
 
+    def test_the_report_says_what_cgw_network_says(self):
+        genset = pathlib.Path(GENSET).read_text()
+        for rows, rule in (("id = 0x30C\nbytes = 4\nperiod_ms = 600", "E1110"), ("id = 0x48C\nbytes = 8\nperiod_ms = 100", "E1101"),
+                           ("id = 0x10\nbytes = 8\nperiod_ms = 0.6", "E1106")):
+            plant = self.dir / "plant.toml"
+            plant.write_text(genset + "\n[[network.message]]\n" + rows + "\n")
+            self.assertEqual(cgw("network", plant).returncode, 1)
+            page = cgw("emit", "report", plant, "--format", "md").stdout.decode()
+            self.assertIn("**Error:** the configuration is valid by itself, but it will not work on this bus", page)
+            findings = page[page.index("## Findings"):page.index("## CANopen bus")]
+            self.assertIn(rule, findings)
+            self.assertNotIn("No check has anything to say", findings)
+
     def test_a_report_against_what_cannot_be_read(self):
         (self.dir / "old.toml").write_text("format = ")
         for old, code, words in ((self.dir / "none.toml", 3, b"No such file"), (self.dir / "old.toml", 1, b"cannot be compared")):

@@ -122,6 +122,27 @@ class Agreement(unittest.TestCase):
                 self.assertEqual(decoded_by_python(module, plant), plant.text("decoded.txt"))
                 self.assertEqual(encoded_by_python(module, plant), plant.text("encoded.txt"))
 
+    def test_rest_is_every_switch_off_and_all_else_0(self):
+        low_active = 0
+        for plant in PLANTS:
+            module = python_module(plant)
+            header = plant.text("partner.h")
+            for pdo in module.PDOS:
+                if pdo.read:
+                    self.assertEqual(pdo.rest, bytes(pdo.length))
+                    continue
+                self.assertEqual(module.encode(pdo.name, {}), pdo.rest)
+                macro = f"GW{module.NODE_ID}_{pdo.name}_REST {{ {{ {', '.join(f'0x{byte:02x}' for byte in pdo.rest)} }} }}\n"
+                self.assertIn("#define " + macro, header)
+                expected = 0
+                for signal in pdo.signals:
+                    if signal.on is not None:
+                        self.assertIs(module.value_of(signal, module.raw_value(signal, pdo.rest)), False)
+                        expected |= (1 - signal.on) << signal.first_bit
+                        low_active += 1 - signal.on
+                self.assertEqual(int.from_bytes(pdo.rest, "little"), expected)
+        self.assertGreater(low_active, 3)
+
     def test_python_refuses_what_is_no_pdo(self):
         module = python_module(BUSY_PLANTS[0])
         self.assertIsNone(module.decode(0x48C, bytes(7)))
@@ -167,6 +188,7 @@ class Agreement(unittest.TestCase):
                 module = python_module(plant)
                 for pdo in module.PDOS:
                     self.assertEqual(constant(program, pdo, "COB_ID"), pdo.cob_id)
+                    self.assertEqual(constant(program, pdo, "LENGTH"), pdo.length)
                     self.assertEqual(constant(program, pdo, "CYCLE_US" if pdo.read else "MONITORING_US"), pdo.time_us)
                 self.check_decoding(program, module, plant)
                 self.check_encoding(program, module, plant)
@@ -237,6 +259,9 @@ class Agreement(unittest.TestCase):
         self.assertEqual(bits, [signal.first_bit % 16 for signal in signals if signal.bits == 1])
         self.assertEqual(factors, [signal.factor for signal in signals if signal.scaled])
         self.assertEqual(offsets, [signal.offset for signal in signals if signal.scaled])
+        if not pdo.read:
+            rest = {byte: int.from_bytes(pdo.rest[byte:byte + 2], "little") for byte in words}
+            self.assertEqual({byte: program.values[variable] for byte, (_, variable, _) in words.items()}, rest)
         for signal in signals:
             signed, _, time = words[signal.first_bit // 16 * 2]
             self.assertEqual(signed, signal.signed)

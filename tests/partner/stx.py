@@ -21,6 +21,7 @@ class Fault(Exception):
 class Program:
     def __init__(self, text):
         self.defines, self.variables, self.received, self.sent = {}, {}, [], []
+        self.values = {}  # of variables, before they are sent
         self.own_node = self.started = None
         self.operational = False
         if not text.isascii():
@@ -64,6 +65,11 @@ class Program:
 
     def execute(self, statement):
         if re.fullmatch(r"\w+ := 0;", statement) and self.variables.get(statement.split()[0]) == "Int":
+            return
+        start = re.fullmatch(r"(\w+) := (\d+);", statement)
+        if start is not None and self.variables.get(start[1]) == "Word" and start[1] not in self.values and \
+                all(start[1] != call[3] for call in self.received + self.sent):
+            self.values[start[1]] = self.integer(start[2], 0, 0xFFFF)
             return
         found = CALL.match(statement)
         if found is None or found[1] != found[2] or self.variables.get(found[1]) != "Int":

@@ -12,6 +12,7 @@
      gw12_rpdo2_setraw_X   the number
      gw12_rpdo2_set_X      the physical value; 0, and nothing is written, beyond MIN and MAX
      gw12_rpdo1_turn_X     a switch function on or off, low-active ones as well
+   Begin with gw12_rpdo1 x = GW12_RPDO1_REST: a struct of zeros turns low-active functions on.
    A raw value beyond RAWMIN and RAWMAX has no meaning. The compiler must not fuse multiplication and
    addition (ISO modes do not) where the last bit of a value matters. */
 #ifndef CGW_GW12_PARTNER_H
@@ -635,6 +636,8 @@ static inline double gw12_tpdo6_value_ExhaustTemp(const gw12_tpdo6 *pdo)
 
 typedef struct { uint8_t bytes[6]; } gw12_rpdo1;
 typedef char gw12_rpdo1_is_packed[sizeof(gw12_rpdo1) == 6u ? 1 : -1];
+/* Every switch function off, all else 0. */
+#define GW12_RPDO1_REST { { 0x04, 0x00, 0x00, 0x00, 0x00, 0x00 } }
 static inline int gw12_rpdo1_take(gw12_rpdo1 *pdo, uint32_t cob_id, const uint8_t *data, unsigned length)
 {
     unsigned i;
@@ -712,6 +715,8 @@ static inline void gw12_rpdo1_turn_FunctLoadEnable(gw12_rpdo1 *pdo, int on)
 
 typedef struct { uint8_t bytes[6]; } gw12_rpdo2;
 typedef char gw12_rpdo2_is_packed[sizeof(gw12_rpdo2) == 6u ? 1 : -1];
+/* Every switch function off, all else 0. */
+#define GW12_RPDO2_REST { { 0x00, 0x00, 0x00, 0x00, 0x00, 0x00 } }
 static inline int gw12_rpdo2_take(gw12_rpdo2 *pdo, uint32_t cob_id, const uint8_t *data, unsigned length)
 {
     unsigned i;
@@ -812,6 +817,8 @@ static inline int gw12_rpdo2_set_Sensor_903(gw12_rpdo2 *pdo, double value)
 
 typedef struct { uint8_t bytes[4]; } gw12_rpdo3;
 typedef char gw12_rpdo3_is_packed[sizeof(gw12_rpdo3) == 4u ? 1 : -1];
+/* Every switch function off, all else 0. */
+#define GW12_RPDO3_REST { { 0x00, 0x00, 0x00, 0x00 } }
 static inline int gw12_rpdo3_take(gw12_rpdo3 *pdo, uint32_t cob_id, const uint8_t *data, unsigned length)
 {
     unsigned i;
@@ -885,6 +892,8 @@ static inline int gw12_rpdo3_set_Sensor_910(gw12_rpdo3 *pdo, double value)
 
 typedef struct { uint8_t bytes[2]; } gw12_rpdo4;
 typedef char gw12_rpdo4_is_packed[sizeof(gw12_rpdo4) == 2u ? 1 : -1];
+/* Every switch function off, all else 0. */
+#define GW12_RPDO4_REST { { 0x00, 0x00 } }
 static inline int gw12_rpdo4_take(gw12_rpdo4 *pdo, uint32_t cob_id, const uint8_t *data, unsigned length)
 {
     unsigned i;

@@ -21,15 +21,15 @@ HEARTBEAT_US = 800000  # time between two of the gateway; 0: it sends none
 PARTNER_HEARTBEAT_US = 2000000  # longest time between two of the partner's; 0: any
 
 # `read`: the gateway sends it. `time_us`: then the time between two frames, 0 on change; else the longest time
-# between two of the partner's, 0 any.
-Pdo = collections.namedtuple("Pdo", "name cob_id length read time_us signals")
+# between two of the partner's, 0 any. `rest`: every switch function off, all else 0.
+Pdo = collections.namedtuple("Pdo", "name cob_id length read time_us rest signals")
 # Physical value = raw * factor + offset, None where the scaling is not known. `on`: what a bit is when the switch
 # is on. Bit 0 is the lowest of byte 0; numbers stand low byte first.
 Signal = collections.namedtuple(
     "Signal", "name first_bit bits signed factor offset minimum maximum unit on scaled meaning")
 
 PDOS = (
-    Pdo("TPDO1", 0x18C, 8, True, 0, (
+    Pdo("TPDO1", 0x18C, 8, True, 0, bytes.fromhex("0000000000000000"), (
         Signal("ConfigurationError", 0, 1, False, None, None, None, None, "", None, False,
                "3000, 2000h:1; governor ConfigurationError; 1: the error is present"),
         Signal("Error_3001", 1, 1, False, None, None, None, None, "", None, False,
@@ -159,7 +159,7 @@ PDOS = (
         Signal("Error_3063", 63, 1, False, None, None, None, None, "", None, False,
                "3063, 2000h:4; 1: the error is present"),
     )),
-    Pdo("TPDO2", 0x28C, 4, True, 0, (
+    Pdo("TPDO2", 0x28C, 4, True, 0, bytes.fromhex("00000000"), (
         Signal("Error_3064", 0, 1, False, None, None, None, None, "", None, False,
                "3064, 2000h:5; 1: the error is present"),
         Signal("Error_3065", 1, 1, False, None, None, None, None, "", None, False,
@@ -225,7 +225,7 @@ PDOS = (
         Signal("Error_3095", 31, 1, False, None, None, None, None, "", None, False,
                "3095, 2000h:6; 1: the error is present"),
     )),
-    Pdo("TPDO3", 0x38C, 2, True, 0, (
+    Pdo("TPDO3", 0x38C, 2, True, 0, bytes.fromhex("0000"), (
         Signal("EngineState_Bit1", 0, 1, False, None, None, None, None, "", None, False,
                "2000h:7 bit 1; its meaning depends on the governor and is not printed"),
         Signal("EngineState_Bit2", 1, 1, False, None, None, None, None, "", None, False,
@@ -243,7 +243,7 @@ PDOS = (
         Signal("EngineState_Bit8", 7, 1, False, None, None, None, None, "", None, False,
                "2000h:7 bit 8; its meaning depends on the governor and is not printed"),
     )),
-    Pdo("TPDO4", 0x48C, 8, True, 125000, (
+    Pdo("TPDO4", 0x48C, 8, True, 125000, bytes.fromhex("0000000000000000"), (
         Signal("Speed", 0, 16, False, 0.061036087586785685, 0.0, 0.0, 4000.0, "1/min", None, True,
                "2000 Speed, 2001h:1"),
         Signal("SpeedSetp", 16, 16, False, 0.061036087586785685, 0.0, 0.0, 4000.0, "1/min", None, True,
@@ -253,7 +253,7 @@ PDOS = (
         Signal("MeasuredPower", 48, 16, False, 0.01907377737087053, 0.0, 0.0, 1250.0, "kW", None, True,
                "2918 MeasuredPower, 2001h:4"),
     )),
-    Pdo("TPDO5", 0x680, 8, True, 500000, (
+    Pdo("TPDO5", 0x680, 8, True, 500000, bytes.fromhex("0000000000000000"), (
         Signal("BoostPressure", 0, 16, False, 6.103608758678569e-05, 0.0, 0.0, 4.0, "bar", None, True,
                "2904 BoostPressure, 2001h:5"),
         Signal("OilPressure", 16, 16, False, 0.00015259021896696422, 0.0, 0.0, 10.0, "bar", None, True,
@@ -263,7 +263,7 @@ PDOS = (
         Signal("CoolantPressure", 48, 16, False, 7.629510948348211e-05, 0.0, 0.0, 5.0, "bar", None, True,
                "2916 CoolantPressure, 2001h:8"),
     )),
-    Pdo("TPDO6", 0x681, 8, True, 1000000, (
+    Pdo("TPDO6", 0x681, 8, True, 1000000, bytes.fromhex("0000000000000000"), (
         Signal("CoolantTemp", 0, 16, False, 0.016784924086366063, -100.0, -100.0, 1000.0, "\U000000b0C", None, True,
                "2907 CoolantTemp, 2001h:9"),
         Signal("ChargeAirTemp", 16, 16, False, 0.016784924086366063, -100.0, -100.0, 1000.0, "\U000000b0C", None, True,
@@ -273,7 +273,7 @@ PDOS = (
         Signal("ExhaustTemp", 48, 16, False, 0.016784924086366063, -100.0, -100.0, 1000.0, "\U000000b0C", None, True,
                "2911 ExhaustTemp, 2001h:12"),
     )),
-    Pdo("RPDO1", 0x20C, 6, False, 500000, (
+    Pdo("RPDO1", 0x20C, 6, False, 500000, bytes.fromhex("040000000000"), (
         Signal("FunctIdleSpeed", 0, 1, False, None, None, None, None, "", 1, False,
                "2003h:1 bit 1; 811 FunctIdleSpeed, high-active: 1 is on"),
         Signal("FunctSetpoint2Or1", 1, 1, False, None, None, None, None, "", 1, False,
@@ -293,7 +293,7 @@ PDOS = (
         Signal("AssignIn_CurrentLoad_Error", 40, 1, False, None, None, None, None, "", None, False,
                "2003h:2 bit 9, error flag of channel 9: 917 AssignIn_CurrentLoad; 1: faulty"),
     )),
-    Pdo("RPDO2", 0x30C, 6, False, 500000, (
+    Pdo("RPDO2", 0x30C, 6, False, 500000, bytes.fromhex("000000000000"), (
         Signal("AssignIn_Setp1Ext", 0, 16, False, 0.0015259021896696422, 0.0, 0.0, 100.0, "%", None, True,
                "channel 1, 2004h:1: 900 AssignIn_Setp1Ext; shown by 2900 Setpoint1Extern"),
         Signal("Sensor_902", 16, 16, False, 0.0015259021896696422, 0.0, 0.0, 100.0, "%", None, True,
@@ -301,13 +301,13 @@ PDOS = (
         Signal("Sensor_903", 32, 16, False, 0.0015259021896696422, 0.0, 0.0, 100.0, "%", None, True,
                "channel 3, 2004h:3: 903; shown by 2903 SyncInput"),
     )),
-    Pdo("RPDO3", 0x40C, 4, False, 1000000, (
+    Pdo("RPDO3", 0x40C, 4, False, 1000000, bytes.fromhex("00000000"), (
         Signal("AssignIn_AmbPress", 0, 16, False, 0.010681315327687495, 500.0, 500.0, 1200.0, "mbar", None, True,
                "channel 5, 2004h:5: 906 AssignIn_AmbPress; shown by 2906 AmbientPressure"),
         Signal("Sensor_910", 16, 16, False, 0.016784924086366063, -100.0, -100.0, 1000.0, "\U000000b0C", None, True,
                "channel 6, 2004h:6: 910; shown by 2910 FuelTemp"),
     )),
-    Pdo("RPDO4", 0x50C, 2, False, 1000000, (
+    Pdo("RPDO4", 0x50C, 2, False, 1000000, bytes.fromhex("0000"), (
         Signal("AssignIn_CurrentLoad", 0, 16, False, None, None, None, None, "", None, False,
                "channel 9, 2004h:9: 917 AssignIn_CurrentLoad; shown by 2917 CurrentLoad"),
     )),
@@ -366,12 +366,12 @@ def decode(cob_id, data):
 
 
 def encode(name, values, data=None):
-    """The bytes of a receive PDO. Signals that `values` leaves out keep what they are in `data`, else 0."""
+    """The bytes of a receive PDO. What `values` leaves out stays as in `data`, else as in the PDO's rest."""
     pdo = find_pdo(name)
     if pdo.read:
         raise ValueError("{} is sent by the gateway alone".format(name))
     signals = {signal.name: signal for signal in pdo.signals}
-    word = int.from_bytes(bytes(data or bytes(pdo.length)), "little")
+    word = int.from_bytes(bytes(data or pdo.rest), "little")
     for key, value in values.items():
         if key not in signals:
             raise KeyError("{} carries no {!r}".format(name, key))

@@ -12,6 +12,7 @@
      gw1_rpdo2_setraw_X   the number
      gw1_rpdo2_set_X      the physical value; 0, and nothing is written, beyond MIN and MAX
      gw1_rpdo1_turn_X     a switch function on or off, low-active ones as well
+   Begin with gw1_rpdo1 x = GW1_RPDO1_REST: a struct of zeros turns low-active functions on.
    A raw value beyond RAWMIN and RAWMAX has no meaning. The compiler must not fuse multiplication and
    addition (ISO modes do not) where the last bit of a value matters. */
 #ifndef CGW_GW1_PARTNER_H
@@ -456,6 +457,8 @@ static inline int32_t gw1_tpdo16_raw_CurrentLoad(const gw1_tpdo16 *pdo)
 
 typedef struct { uint8_t bytes[6]; } gw1_rpdo1;
 typedef char gw1_rpdo1_is_packed[sizeof(gw1_rpdo1) == 6u ? 1 : -1];
+/* Every switch function off, all else 0. */
+#define GW1_RPDO1_REST { { 0x10, 0x00, 0x00, 0x00, 0x00, 0x00 } }
 static inline int gw1_rpdo1_take(gw1_rpdo1 *pdo, uint32_t cob_id, const uint8_t *data, unsigned length)
 {
     unsigned i;
@@ -519,6 +522,8 @@ static inline void gw1_rpdo1_turn_FunctLoadEnable(gw1_rpdo1 *pdo, int on)
 
 typedef struct { uint8_t bytes[4]; } gw1_rpdo2;
 typedef char gw1_rpdo2_is_packed[sizeof(gw1_rpdo2) == 4u ? 1 : -1];
+/* Every switch function off, all else 0. */
+#define GW1_RPDO2_REST { { 0x00, 0x00, 0x00, 0x00 } }
 static inline int gw1_rpdo2_take(gw1_rpdo2 *pdo, uint32_t cob_id, const uint8_t *data, unsigned length)
 {
     unsigned i;
@@ -592,6 +597,8 @@ static inline int gw1_rpdo2_set_AssignIn_Setp2Ext(gw1_rpdo2 *pdo, double value)
 
 typedef struct { uint8_t bytes[6]; } gw1_rpdo3;
 typedef char gw1_rpdo3_is_packed[sizeof(gw1_rpdo3) == 6u ? 1 : -1];
+/* Every switch function off, all else 0. */
+#define GW1_RPDO3_REST { { 0x00, 0x00, 0x00, 0x00, 0x00, 0x00 } }
 static inline int gw1_rpdo3_take(gw1_rpdo3 *pdo, uint32_t cob_id, const uint8_t *data, unsigned length)
 {
     unsigned i;
@@ -624,6 +631,8 @@ static inline void gw1_rpdo3_setraw_AssignIn_AmbPress(gw1_rpdo3 *pdo, int32_t ra
 
 typedef struct { uint8_t bytes[8]; } gw1_rpdo4;
 typedef char gw1_rpdo4_is_packed[sizeof(gw1_rpdo4) == 8u ? 1 : -1];
+/* Every switch function off, all else 0. */
+#define GW1_RPDO4_REST { { 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00 } }
 static inline int gw1_rpdo4_take(gw1_rpdo4 *pdo, uint32_t cob_id, const uint8_t *data, unsigned length)
 {
     unsigned i;

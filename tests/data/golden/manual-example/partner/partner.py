@@ -21,15 +21,15 @@ HEARTBEAT_US = 992000  # time between two of the gateway; 0: it sends none
 PARTNER_HEARTBEAT_US = 96000  # longest time between two of the partner's; 0: any
 
 # `read`: the gateway sends it. `time_us`: then the time between two frames, 0 on change; else the longest time
-# between two of the partner's, 0 any.
-Pdo = collections.namedtuple("Pdo", "name cob_id length read time_us signals")
+# between two of the partner's, 0 any. `rest`: every switch function off, all else 0.
+Pdo = collections.namedtuple("Pdo", "name cob_id length read time_us rest signals")
 # Physical value = raw * factor + offset, None where the scaling is not known. `on`: what a bit is when the switch
 # is on. Bit 0 is the lowest of byte 0; numbers stand low byte first.
 Signal = collections.namedtuple(
     "Signal", "name first_bit bits signed factor offset minimum maximum unit on scaled meaning")
 
 PDOS = (
-    Pdo("TPDO1", 0x181, 8, True, 0, (
+    Pdo("TPDO1", 0x181, 8, True, 0, bytes.fromhex("0000000000000000"), (
         Signal("ConfigurationError", 0, 1, False, None, None, None, None, "", None, False,
                "3000, 2000h:1; governor ConfigurationError; 1: the error is present"),
         Signal("Error_3001", 1, 1, False, None, None, None, None, "", None, False,
@@ -159,7 +159,7 @@ PDOS = (
         Signal("Error_3063", 63, 1, False, None, None, None, None, "", None, False,
                "3063, 2000h:4; 1: the error is present"),
     )),
-    Pdo("TPDO2", 0x281, 4, True, 0, (
+    Pdo("TPDO2", 0x281, 4, True, 0, bytes.fromhex("00000000"), (
         Signal("Error_3064", 0, 1, False, None, None, None, None, "", None, False,
                "3064, 2000h:5; 1: the error is present"),
         Signal("Error_3065", 1, 1, False, None, None, None, None, "", None, False,
@@ -225,7 +225,7 @@ PDOS = (
         Signal("Error_3095", 31, 1, False, None, None, None, None, "", None, False,
                "3095, 2000h:6; 1: the error is present"),
     )),
-    Pdo("TPDO4", 0x481, 8, True, 15625, (
+    Pdo("TPDO4", 0x481, 8, True, 15625, bytes.fromhex("0000000000000000"), (
         Signal("Speed", 0, 16, False, 0.061036087586785685, 0.0, 0.0, 4000.0, "1/min", None, True,
                "2000 Speed, 2001h:1"),
         Signal("SpeedSetp", 16, 16, False, 0.061036087586785685, 0.0, 0.0, 4000.0, "1/min", None, True,
@@ -235,7 +235,7 @@ PDOS = (
         Signal("ActPosSetpoint", 48, 16, False, None, None, None, None, "", None, False,
                "2330 ActPosSetpoint, 2001h:4"),
     )),
-    Pdo("TPDO16", 0x57F, 6, True, 93750, (
+    Pdo("TPDO16", 0x57F, 6, True, 93750, bytes.fromhex("000000000000"), (
         Signal("OilPressure", 0, 16, False, None, None, None, None, "", None, False,
                "2905 OilPressure, 2001h:5"),
         Signal("ChargeAirTemp", 16, 16, False, 0.016784924086366063, -100.0, -100.0, 1000.0, "\U000000b0C", None, True,
@@ -243,7 +243,7 @@ PDOS = (
         Signal("CurrentLoad", 32, 16, False, None, None, None, None, "", None, False,
                "2917 CurrentLoad, 2001h:7"),
     )),
-    Pdo("RPDO1", 0x201, 6, False, 0, (
+    Pdo("RPDO1", 0x201, 6, False, 0, bytes.fromhex("100000000000"), (
         Signal("FunctSetpoint2Or1", 0, 1, False, None, None, None, None, "", 1, False,
                "2003h:1 bit 1; 827 FunctSetpoint2Or1, high-active: 1 is on"),
         Signal("FunctLoadEnable", 4, 1, False, None, None, None, None, "", 0, False,
@@ -257,17 +257,17 @@ PDOS = (
         Signal("AssignIn_CurrentLoad_Error", 43, 1, False, None, None, None, None, "", None, False,
                "2003h:2 bit 12, error flag of channel 12: 917 AssignIn_CurrentLoad; 1: faulty"),
     )),
-    Pdo("RPDO2", 0x301, 4, False, 93750, (
+    Pdo("RPDO2", 0x301, 4, False, 93750, bytes.fromhex("00000000"), (
         Signal("AssignIn_Setp1Ext", 0, 16, False, 0.0015259021896696422, 0.0, 0.0, 100.0, "%", None, True,
                "channel 1, 2004h:1: 900 AssignIn_Setp1Ext; shown by 2900 Setpoint1Extern"),
         Signal("AssignIn_Setp2Ext", 16, 16, False, 0.0015259021896696422, 0.0, 0.0, 100.0, "%", None, True,
                "channel 2, 2004h:2: 901 AssignIn_Setp2Ext; shown by 2901 Setpoint2Extern"),
     )),
-    Pdo("RPDO3", 0x401, 6, False, 187500, (
+    Pdo("RPDO3", 0x401, 6, False, 187500, bytes.fromhex("000000000000"), (
         Signal("AssignIn_AmbPress", 32, 16, False, None, None, None, None, "", None, False,
                "channel 7, 2004h:7: 906 AssignIn_AmbPress; shown by 2906 AmbientPressure"),
     )),
-    Pdo("RPDO4", 0x501, 8, False, 1000000, (
+    Pdo("RPDO4", 0x501, 8, False, 1000000, bytes.fromhex("0000000000000000"), (
         Signal("AssignIn_CurrentLoad", 48, 16, False, None, None, None, None, "", None, False,
                "channel 12, 2004h:12: 917 AssignIn_CurrentLoad; shown by 2917 CurrentLoad"),
     )),
@@ -326,12 +326,12 @@ def decode(cob_id, data):
 
 
 def encode(name, values, data=None):
-    """The bytes of a receive PDO. Signals that `values` leaves out keep what they are in `data`, else 0."""
+    """The bytes of a receive PDO. What `values` leaves out stays as in `data`, else as in the PDO's rest."""
     pdo = find_pdo(name)
     if pdo.read:
         raise ValueError("{} is sent by the gateway alone".format(name))
     signals = {signal.name: signal for signal in pdo.signals}
-    word = int.from_bytes(bytes(data or bytes(pdo.length)), "little")
+    word = int.from_bytes(bytes(data or pdo.rest), "little")
     for key, value in values.items():
         if key not in signals:
             raise KeyError("{} carries no {!r}".format(name, key))

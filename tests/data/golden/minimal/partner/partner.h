@@ -12,6 +12,7 @@
      gw1_rpdo2_setraw_X   the number
      gw1_rpdo2_set_X      the physical value; 0, and nothing is written, beyond MIN and MAX
      gw1_rpdo1_turn_X     a switch function on or off, low-active ones as well
+   Begin with gw1_rpdo1 x = GW1_RPDO1_REST: a struct of zeros turns low-active functions on.
    A raw value beyond RAWMIN and RAWMAX has no meaning. The compiler must not fuse multiplication and
    addition (ISO modes do not) where the last bit of a value matters. */
 #ifndef CGW_GW1_PARTNER_H

@@ -21,8 +21,8 @@ HEARTBEAT_US = 800000  # time between two of the gateway; 0: it sends none
 PARTNER_HEARTBEAT_US = 0  # longest time between two of the partner's; 0: any
 
 # `read`: the gateway sends it. `time_us`: then the time between two frames, 0 on change; else the longest time
-# between two of the partner's, 0 any.
-Pdo = collections.namedtuple("Pdo", "name cob_id length read time_us signals")
+# between two of the partner's, 0 any. `rest`: every switch function off, all else 0.
+Pdo = collections.namedtuple("Pdo", "name cob_id length read time_us rest signals")
 # Physical value = raw * factor + offset, None where the scaling is not known. `on`: what a bit is when the switch
 # is on. Bit 0 is the lowest of byte 0; numbers stand low byte first.
 Signal = collections.namedtuple(
@@ -84,12 +84,12 @@ def decode(cob_id, data):
 
 
 def encode(name, values, data=None):
-    """The bytes of a receive PDO. Signals that `values` leaves out keep what they are in `data`, else 0."""
+    """The bytes of a receive PDO. What `values` leaves out stays as in `data`, else as in the PDO's rest."""
     pdo = find_pdo(name)
     if pdo.read:
         raise ValueError("{} is sent by the gateway alone".format(name))
     signals = {signal.name: signal for signal in pdo.signals}
-    word = int.from_bytes(bytes(data or bytes(pdo.length)), "little")
+    word = int.from_bytes(bytes(data or pdo.rest), "little")
     for key, value in values.items():
         if key not in signals:
             raise KeyError("{} carries no {!r}".format(name, key))
