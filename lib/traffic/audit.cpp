@@ -77,6 +77,14 @@ bool Audit::keep_time(const Seen& seen, Place& place) {
     return forwards;
 }
 
+void WrongLengths::add(std::uint8_t length, const Place& place) {
+    if (count == 0) {
+        first = place;
+        bytes = length;
+    }
+    ++count;
+}
+
 void Audit::take(const Seen& seen) {
     Place place;
     keep_time(seen, place);
@@ -172,12 +180,16 @@ void Audit::watch_heartbeat(const Owner& owner, const frame::Frame& frame, const
 void Audit::watch_pdo(const Owner& owner, const frame::Frame& frame, const Place& place) {
     Watched& watched = watched_[watched_by_[frame.id % watched_by_.size()] - 1U];
     watch_length(watched, frame, place);
+    // A short RPDO does not feed its monitoring (D28, D55).
+    if (!owner.frame->transmit() && frame.length < owner.frame->length) {
+        watched.rhythm.take_dropped();
+        return;
+    }
     if (owner.frame->transmit() && state_ == State::unknown) {
         enter_operational(place, false);
         watched.rhythm.forget();
     }
     if (state_ == State::operational) {
-        ++in_operational_;
         watched.rhythm.take(place);
         return;
     }
@@ -190,17 +202,12 @@ void Audit::watch_pdo(const Owner& owner, const frame::Frame& frame, const Place
     watched.rhythm.forget();
 }
 
+// Of a longer RPDO the first bytes count (D28); the gateway itself never sends more than is mapped.
 void Audit::watch_length(Watched& watched, const frame::Frame& frame, const Place& place) {
-    if (frame.length == watched.frame->length) {
-        return;
+    if (frame.length != watched.frame->length) {
+        const bool tolerated = !watched.frame->transmit() && frame.length > watched.frame->length;
+        (tolerated ? watched.longer : watched.wrong).add(frame.length, place);
     }
-    if (watched.too_short + watched.too_long == 0) {
-        watched.first_wrong_length = place;
-        watched.wrong_length = frame.length;
-    }
-    // Of a longer RPDO the first bytes count (D28); the gateway itself never sends more than is mapped.
-    const bool tolerated = !watched.frame->transmit() && frame.length > watched.frame->length;
-    ++(tolerated ? watched.too_long : watched.too_short);
 }
 
 void Audit::enter_operational(const Place& place, bool recorded) {

@@ -21,18 +21,25 @@ struct Seen {
     const frame::Frame& frame;
 };
 
+// Frames of a wrong length.
+struct WrongLengths {
+    std::uint64_t count = 0;
+    Place first{};
+    std::uint8_t bytes = 0;  // of the first one
+
+    void add(std::uint8_t length, const Place& place);
+};
+
 // What was counted of one frame of the plant, or of a heartbeat.
 struct Watched {
     std::string name;  // "TPDO4", "heartbeat of node 12"
     std::uint16_t identifier = 0;
     const signals::Frame* frame = nullptr;  // nullptr: a heartbeat
     Rhythm rhythm{};
-    std::uint64_t too_short = 0;
-    std::uint64_t too_long = 0;
+    WrongLengths wrong{};   // the gateway drops or never sends them
+    WrongLengths longer{};  // of an RPDO, of which the first bytes count (D28)
     std::uint64_t when_stopped = 0;
-    Place first_wrong_length{};
     Place first_when_stopped{};
-    std::uint8_t wrong_length = 0;  // bytes of the first one
 };
 
 class Audit {
@@ -111,7 +118,6 @@ class Audit {
     bool was_operational_ = false;
     bool entry_recorded_ = false;         // the log has the command, or another state before
     Microseconds longest_window_us_ = 0;  // in Operational
-    std::uint64_t in_operational_ = 0;
 };
 
 }  // namespace cgw::traffic

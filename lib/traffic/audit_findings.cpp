@@ -43,7 +43,8 @@ class Audit::Report {
         tell_unexpected();
         for (const Watched& watched : audit_.watched_) {
             tell_missing(watched);
-            tell_lengths(watched);
+            tell_lengths(watched, watched.wrong, rules::frame_length);
+            tell_lengths(watched, watched.longer, rules::frame_long);
             tell_times(watched);
         }
         findings_.sort();
@@ -149,15 +150,13 @@ class Audit::Report {
                                          : fmt::format("the gateway was Operational for {}", ms(lasted))));
     }
 
-    void tell_lengths(const Watched& watched) {
-        if (watched.too_short + watched.too_long == 0) {
-            return;
+    void tell_lengths(const Watched& watched, const WrongLengths& lengths, const diagnostic::Rule& rule) {
+        if (lengths.count != 0) {
+            report(rule, lengths.first.number,
+                   fmt::format("{} has {} byte{} here and {} in the plant, {} in all", frame_text(watched),
+                               lengths.bytes, lengths.bytes == 1 ? "" : "s", watched.frame->length,
+                               times_text(lengths.count)));
         }
-        const bool error = watched.too_short != 0;
-        report(error ? rules::frame_length : rules::frame_long, watched.first_wrong_length.number,
-               fmt::format("{} has {} byte{} here and {} in the plant, {} in all", frame_text(watched),
-                           watched.wrong_length, watched.wrong_length == 1 ? "" : "s", watched.frame->length,
-                           times_text(watched.too_short + watched.too_long)));
     }
 
     void tell_times(const Watched& watched) {
@@ -190,7 +189,9 @@ class Audit::Report {
     }
 
     static std::string in_all(const Gaps& gaps) {
-        return gaps.count == 1 ? "once" : fmt::format("{}, this was the longest", times_text(gaps.count));
+        const std::string times =
+            gaps.count == 1 ? "once" : fmt::format("{}, this was the longest", times_text(gaps.count));
+        return gaps.behind.number == 0 ? times + ", until the end of the log" : times;
     }
 
     const Audit& audit_;

@@ -36,6 +36,8 @@ class Rhythm {
 
     // A frame.
     void take(const Place& place);
+    // A frame that its receiver drops: it is counted, and the receiver goes on waiting.
+    void take_dropped() { ++frames_; }
     // Gaps count from here on, the first up to the grace longer; takes no frame.
     void arm(const Place& place);
     // They count no more. What is missing since the last frame is judged.

@@ -117,6 +117,25 @@ TEST(Audit, finds_strangers_and_wrong_lengths) {
               "E1211 RPDO4 (50Ch) has 3 bytes here and 2 in the plant, once in all\n");
 }
 
+TEST(Audit, tells_short_and_long_frames_apart) {
+    const std::vector<Event> longer = with(traffic_of(20), 1'000'000, test::make_frame(0x50C, {1, 2, 3}));
+    EXPECT_EQ(found(with(longer, 2'000'000, test::make_frame(0x50C, {1}))),
+              "E1211 RPDO4 (50Ch) has 3 bytes here and 2 in the plant, once in all\n"
+              "E1210 RPDO4 (50Ch) has 1 byte here and 2 in the plant, once in all\n");
+}
+
+// D28, D55: the gateway drops it and goes on waiting.
+TEST(Audit, does_not_let_a_short_frame_feed_the_monitoring) {
+    std::vector<Event> events = traffic_of(20);
+    for (Event& event : events) {
+        const bool shortened = event.time_us >= 5'000'000 && event.time_us < 6'000'000;
+        event.frame.length = event.frame.id == 0x20C && shortened ? 1 : event.frame.length;
+    }
+    EXPECT_EQ(found(events),
+              "E1210 RPDO1 (20Ch) has 1 byte here and 6 in the plant, 4 times in all\n"
+              "E1217 RPDO1 (20Ch) stayed out for 1250 ms, and is missed after 500 ms; once\n");
+}
+
 TEST(Audit, tells_only_some_of_very_many_strangers) {
     std::vector<Event> events = traffic_of(20);
     for (std::uint32_t id = 0x680 + 2; id < 0x6DF; ++id) {
