@@ -1,5 +1,8 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <span>
+
 #include "base/canopen_text.hpp"
 #include "emit/report_parts.hpp"
 #include "facts/identifiers.hpp"
@@ -68,15 +71,16 @@ page::Table messages_table(const Analysis& analysis) {
                       {}};
     for (const MessageResult& result : analysis.messages) {
         const network::Message& message = result.message;
-        table.rows.push_back({base::identifier_text(message.identifier),
-                              message.label(),
-                              std::to_string(message.bytes),
-                              period_text(message),
-                              {percent(result.load.worst), Tone::plain,
-                               Bar{result.load.worst, percent(result.load.worst) + " of the bus"}},
-                              response_cell(result),
-                              message.deadline_us == 0 ? "none" : base::milliseconds_text(message.deadline_us),
-                              verdict_text(result)});
+        table.rows.push_back(
+            {base::identifier_text(message.identifier),
+             message.label(),
+             std::to_string(message.bytes),
+             period_text(message),
+             {percent(result.load.worst), Tone::plain,
+              Bar{result.load.worst, percent(result.load.worst) + " of the bus"}},
+             response_cell(result),
+             message.deadline_us == 0 ? "none" : base::milliseconds_text(message.deadline_us),
+             verdict_text(result)});
     }
     return table;
 }
@@ -92,8 +96,7 @@ std::string range_text(const network::IdentifierRange& range) {
 }
 
 // Who has which identifier; what is free stands in the table only.
-void add_identifiers(std::span<const network::Message> messages, Blocks& blocks) {
-    const std::vector<network::IdentifierRange> map = network::identifier_map(messages);
+void add_identifiers(std::span<const network::IdentifierRange> map, Blocks& blocks) {
     page::Strip strip{
         "Identifiers in use, from 000h with the highest priority to 7FFh", 0, facts::cob::highest, {}};
     page::Table table{"All 2048 identifiers", {{"Identifiers"}, {"Use"}, {"Owner"}}, {}};
@@ -102,7 +105,9 @@ void add_identifiers(std::span<const network::Message> messages, Blocks& blocks)
         table.rows.push_back(
             {range_text(range), {std::string(to_text(range.use)), tone_of(range.use)}, owners});
         if (range.use == network::Use::taken || range.use == network::Use::conflict) {
-            strip.fields.push_back({range.first, range.last, fmt::format("{} {}", range_text(range), owners),
+            const std::string_view mark = range.use == network::Use::conflict ? " conflict:" : "";
+            strip.fields.push_back({range.first, range.last,
+                                    fmt::format("{}{} {}", range_text(range), mark, owners),
                                     tone_of(range.use)});
         }
     }
@@ -122,7 +127,7 @@ Tone tone_of(network::Band band) {
     }
 }
 
-void judge(const Analysis& analysis, Judgement& judgement) {
+void judge(const Analysis& analysis, std::size_t conflicts, Judgement& judgement) {
     std::size_t late = 0;
     std::size_t unbounded = 0;
     for (const MessageResult& result : analysis.messages) {
@@ -133,6 +138,9 @@ void judge(const Analysis& analysis, Judgement& judgement) {
     judgement.add(tone_of(band),
                   fmt::format("CANopen bus: {} of {} kbit/s in the worst case, {}",
                               percent(analysis.load.worst), analysis.bus.bit_rate / 1000, to_text(band)));
+    if (conflicts > 0) {
+        judgement.add(Tone::bad, counted(conflicts, "identifier") + " with two senders");
+    }
     if (late + unbounded == 0) {
         judgement.add(Tone::good, fmt::format("all {} messages are in time", analysis.messages.size()));
     }
@@ -161,13 +169,17 @@ void add_network(const network::Judged& bus, Blocks& blocks, Judgement& judgemen
         return;
     }
     const Analysis& analysis = *bus.analysis;
-    judge(analysis, judgement);
+    const std::vector<network::IdentifierRange> map = network::identifier_map(bus.messages);
+    const auto conflicts = std::count_if(map.begin(), map.end(), [](const network::IdentifierRange& range) {
+        return range.use == network::Use::conflict;
+    });
+    judge(analysis, static_cast<std::size_t>(conflicts), judgement);
     blocks.emplace_back(page::Paragraph{fmt::format(
         "{} on average and {} in the worst case, at {} kbit/s. Other nodes count as far as the parameter "
         "file names them.",
         percent(analysis.load.average), percent(analysis.load.worst), analysis.bus.bit_rate / 1000)});
     blocks.emplace_back(messages_table(analysis));
-    add_identifiers(bus.messages, blocks);
+    add_identifiers(map, blocks);
 }
 
 }  // namespace cgw::emit

@@ -54,6 +54,12 @@ std::vector<IdentifierRange> identifier_map(std::span<const Message> messages) {
             owners[message.identifier].push_back(&message);
         }
     }
+    Message commands;  // merged() counts them as well
+    commands.name = "NMT";
+    commands.assumed = true;
+    if (owners[facts::cob::nmt].empty()) {
+        owners[facts::cob::nmt].push_back(&commands);
+    }
     std::vector<IdentifierRange> map;
     for (std::uint16_t identifier = 0; identifier < identifiers; ++identifier) {
         const std::vector<const Message*>& own = owners[identifier];
@@ -65,12 +71,14 @@ std::vector<IdentifierRange> identifier_map(std::span<const Message> messages) {
             }
         } else {
             range.use = Use::taken;
-            const Message* stated = nullptr;
-            for (const Message* message : own) {
-                const bool quarrels = stated != nullptr && are_in_conflict(*stated, *message);
-                range.use = quarrels ? Use::conflict : range.use;
-                stated = stated == nullptr && !message->assumed ? message : stated;
-                const std::string label = message->label();
+            for (auto message = own.begin(); message != own.end(); ++message) {
+                const auto quarrels = [&](const Message* other) {
+                    return are_in_conflict(*other, **message);
+                };
+                if (range.use != Use::conflict && std::any_of(own.begin(), message, quarrels)) {
+                    range.use = Use::conflict;
+                }
+                const std::string label = (*message)->label();
                 constexpr std::size_t most_owners = 8;
                 if (range.owners.size() < most_owners &&
                     std::find(range.owners.begin(), range.owners.end(), label) == range.owners.end()) {

@@ -88,8 +88,15 @@ bool judge_bounds(const Analysis& analysis, Findings& findings) {
 void judge_times(const Analysis& analysis, Findings& findings) {
     Listed missed(findings, rules::deadline_missed);
     Listed late(findings, rules::message_late);
+    Listed slow(findings, rules::message_too_slow);
     for (const MessageResult& result : analysis.messages) {
         const Message& message = result.message;
+        if (message.monitored_us != 0 && !message.assumed && message.period_us >= message.monitored_us) {
+            slow.report(message.where, fmt::format("{} is sent every {}, and its receiver waits for {} only",
+                                                   label_of(message), milliseconds_text(message.period_us),
+                                                   milliseconds_text(message.monitored_us)));
+            continue;
+        }
         if (!result.bounded()) {
             continue;
         }
@@ -196,9 +203,16 @@ std::optional<std::uint32_t> judge_bit_rate(std::span<const Member> members, Fin
     return agreed && first != nullptr ? first->bit_rate : std::nullopt;
 }
 
+// A message of which only the time is assumed has a sender all the same.
+bool has_owner(const Message& message) {
+    return !message.receiver && (!message.assumed || !message.sender.empty());
+}
+
 bool are_in_conflict(const Message& a, const Message& b) {
     const bool told_twice = a.label() == b.label() && a.bytes == b.bytes && a.plant != b.plant;
-    return a.identifier == b.identifier && !a.assumed && !b.assumed && !told_twice;
+    const bool two_senders = !a.sender.empty() && !b.sender.empty() && a.sender != b.sender;
+    return a.identifier == b.identifier && has_owner(a) && has_owner(b) && !told_twice &&
+           (two_senders || (!a.assumed && !b.assumed));
 }
 
 void judge_owners(std::span<const Member> members, std::span<const Message> messages, Findings& findings) {
@@ -217,7 +231,7 @@ void judge_owners(std::span<const Member> members, std::span<const Message> mess
     std::map<std::uint32_t, const Message*> owners;
     Listed conflicts(findings, rules::identifier_conflict);
     for (const Message& message : messages) {
-        if (message.assumed) {
+        if (!has_owner(message)) {
             continue;
         }
         const auto [first, is_new] = owners.try_emplace(message.identifier, &message);

@@ -26,6 +26,23 @@ void take_demands(Message& known, const Message& assumed) {
     known.received_bytes = std::max(known.received_bytes, assumed.receiver ? assumed.bytes : std::uint8_t{0});
 }
 
+// PDOs that go with the SYNC go as often as it is sent, whoever sends it.
+void settle_synchronous(std::vector<Message>& messages) {
+    std::uint64_t sync_us = 0;
+    for (const Message& message : messages) {
+        const bool is_sync = message.kind == Kind::sync || message.identifier == facts::cob::sync;
+        if (is_sync && !message.receiver && (sync_us == 0 || message.period_us < sync_us)) {
+            sync_us = message.period_us;
+        }
+    }
+    for (Message& message : messages) {
+        if (message.sync_multiple != 0 && sync_us != 0) {
+            message.period_us = message.deadline_us = sync_us * message.sync_multiple;
+            message.assumed = false;
+        }
+    }
+}
+
 }  // namespace
 
 std::vector<Message> merged(std::vector<Message> messages) {
@@ -36,11 +53,12 @@ std::vector<Message> merged(std::vector<Message> messages) {
                         .name = "NMT",
                         .period_us = assumed::nmt_us,
                         .assumed = true});
+    settle_synchronous(messages);
     std::stable_sort(messages.begin(), messages.end(), known_before_assumed);
     std::vector<Message> kept;
     for (Message& message : messages) {
         const bool is_covered = !kept.empty() && kept.back().identifier == message.identifier &&
-                                (message.assumed || !are_in_conflict(kept.back(), message));
+                                !are_in_conflict(kept.back(), message);
         if (!is_covered) {
             kept.push_back(std::move(message));
             continue;

@@ -27,6 +27,7 @@ struct Message {
     std::uint64_t deadline_us = 0;    // from its release until it is through; 0: none
     std::uint64_t monitored_us = 0;   // who receives it takes its sender for dead after so long; 0: never
     bool assumed = false;             // nobody states when it is sent (D75)
+    std::uint8_t sync_multiple = 0;   // sent with every so many SYNCs, 1..240, whoever sends those; 0: not
     bool receiver = false;            // told by who is to receive it; nobody says who sends it
     std::uint8_t received_bytes = 0;  // the fewest that a receiver takes
     std::uint8_t tpdo = 0;            // 1..16: a plant's

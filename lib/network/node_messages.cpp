@@ -144,18 +144,24 @@ class Node {
         found_.messages.push_back(std::move(message));
     }
 
-    // Inhibit time and event timer; a PDO of events only goes whenever it likes, but for the inhibit time.
+    // A PDO of events goes whenever it likes: at most once in its inhibit time. The event timer is the
+    // longest time between two, not the shortest.
     void time_transmitted(std::uint16_t index, Message& message) {
         const std::uint64_t inhibit_us = value_or_0(index, 3) * us_per_inhibit_step;
         const std::uint64_t timer_us = value_or_0(index, 5) * us_per_ms;
         const std::uint64_t type = value_or_0(index, 2);
-        const std::uint64_t sync_us = value_or_0(0x1006, 0);
-        constexpr std::uint64_t last_synchronous = 240;
-        if (type >= 1 && type <= last_synchronous && sync_us != 0) {
-            message.period_us = sync_us * type;
+        constexpr std::uint64_t last_synchronous = 240;  // 0: with a SYNC, when there is something new
+        if (type <= last_synchronous) {
+            message.sync_multiple = static_cast<std::uint8_t>(std::max<std::uint64_t>(type, 1));
+            message.release = type == 0 ? Release::event : Release::cyclic;
+            message.period_us = value_or_0(0x1006, 0) * message.sync_multiple;
+        } else if (inhibit_us != 0) {
+            message.period_us = inhibit_us;
+            message.release = Release::event;
         } else {
-            message.period_us = timer_us != 0 ? timer_us : inhibit_us;
+            message.period_us = timer_us;
             message.release = timer_us != 0 ? Release::cyclic : Release::event;
+            message.assumed = true;
         }
         if (message.period_us == 0) {
             message.period_us = assumed::pdo_us;

@@ -695,6 +695,7 @@ class Emit(Verb):
             self.assertIn("**Error:** the configuration is valid by itself, but it will not work on this bus", page)
             findings = page[page.index("## Findings"):page.index("## CANopen bus")]
             self.assertIn(rule, findings)
+            self.assertEqual(rule == "E1101", "- 1 identifier with two senders" in page)
             self.assertNotIn("No check has anything to say", findings)
 
     def test_a_report_against_what_cannot_be_read(self):

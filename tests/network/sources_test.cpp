@@ -77,6 +77,7 @@ TEST(NodeMessages, follow_the_objects_of_the_node) {
                     record(0x1802, {5, 0x380, 2, 0, 0, 0}),
                     record(0x1803, {5, 0x80000480, 255, 0, 0, 10}),
                     record(0x1804, {5, 0x20012345, 255, 0, 0, 10}),
+                    record(0x1805, {5, 0x401, 255, 0, 0, 50}),
                     record(0x1A00, {2, 0x60000108, 0x60000210}),
                     record(0x1A01, {0}),
                     record(0x1A02, {1, 0x60000140})};
@@ -91,7 +92,10 @@ TEST(NodeMessages, follow_the_objects_of_the_node) {
     EXPECT_EQ(find(found.messages, 0x080)->period_us, 20'000U);
     EXPECT_EQ(find(found.messages, 0x087)->period_us, 5'000U);
     EXPECT_EQ(find(found.messages, 0x707)->period_us, 250'000U);
-    EXPECT_EQ(find(found.messages, 0x187)->period_us, 50'000U);
+    EXPECT_EQ(find(found.messages, 0x187)->period_us, 2'000U);  // the event timer is the longest time
+    EXPECT_EQ(find(found.messages, 0x187)->release, Release::event);
+    EXPECT_EQ(find(found.messages, 0x401)->period_us, 50'000U);
+    EXPECT_TRUE(find(found.messages, 0x401)->assumed);  // nobody says how often it changes
     EXPECT_EQ(find(found.messages, 0x187)->bytes, 3);
     EXPECT_EQ(find(found.messages, 0x287)->period_us, 2'000U);
     EXPECT_EQ(find(found.messages, 0x287)->release, Release::event);
@@ -122,6 +126,32 @@ TEST(Merging, a_statement_takes_the_place_of_an_assumption) {
     EXPECT_EQ(messages[1].received_bytes, 6);
 }
 
+TEST(Merging, synchronous_pdos_follow_the_sync_of_whoever_sends_it) {
+    Message pdo = row(0x185, "TPDO1", -1);
+    pdo.sender = "node 5";
+    pdo.assumed = true;
+    pdo.sync_multiple = 3;
+    Message sync = row(0x080, "message 080h", 0);
+    sync.period_us = 5'000;
+    const std::vector<Message> messages = merged({pdo, sync});
+    EXPECT_EQ(find(messages, 0x185)->period_us, 15'000U);
+    EXPECT_EQ(find(messages, 0x185)->deadline_us, 15'000U);
+    EXPECT_FALSE(find(messages, 0x185)->assumed);
+    EXPECT_TRUE(find(merged({pdo}), 0x185)->assumed);
+}
+
+TEST(Merging, a_message_of_which_only_the_time_is_assumed_has_its_sender) {
+    Message one = row(0x185, "TPDO1", 0, true);
+    one.sender = "node 5";
+    Message other = row(0x185, "TPDO4", 1);
+    other.sender = "node 12";
+    EXPECT_TRUE(are_in_conflict(one, other));
+    EXPECT_EQ(merged({one, other}).size(), 3U);
+    other.sender.clear();  // a row says when it is sent
+    EXPECT_FALSE(are_in_conflict(one, other));
+    EXPECT_EQ(merged({one, other}).size(), 2U);
+}
+
 TEST(Merging, what_two_files_say_of_one_message_counts_once) {
     EXPECT_EQ(merged({row(0x300, "setpoint", 0), row(0x300, "setpoint", 1)}).size(), 2U);
     EXPECT_EQ(merged({row(0x300, "setpoint", 0), row(0x300, "setpoint", 0)}).size(), 3U);
@@ -136,7 +166,7 @@ TEST(IdentifierMap, covers_all_identifiers_once) {
         EXPECT_EQ(range.first, next);
         next = range.last + 1U;
         EXPECT_EQ(range.use == Use::conflict, range.first == 0x301);
-        EXPECT_EQ(range.use == Use::taken, range.first == 0x680);
+        EXPECT_EQ(range.use == Use::taken, range.first == 0x680 || range.first == 0);  // 000h: NMT commands
     }
     EXPECT_EQ(next, 2048U);
     EXPECT_EQ(free_identifiers(messages, 2), (std::vector<std::uint16_t>{0x681, 0x682}));

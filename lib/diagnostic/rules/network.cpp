@@ -140,5 +140,19 @@ const Rule message_not_counted{.code = "E1111",
                                .example = Example::none,
                                .bad = "",
                                .good = ""};
+const Rule message_too_slow{
+    .code = "E1112",
+    .name = "message-too-slow",
+    .level = Level::error,
+    .summary = "a message that is monitored is sent more often than its receiver wants it",
+    .reference = "D75",
+    .why = "The monitoring trips between two of them, each time, although nothing is broken.",
+    .example = Example::network,
+    .bad =
+        "[governor.parameters]\n900 = 1\n4900 = 3\n16480 = 500\n16481 = 500\n"
+        "[[network.message]]\nid = 0x301\nbytes = 2\nperiod_ms = 600\n",
+    .good =
+        "[governor.parameters]\n900 = 1\n4900 = 3\n16480 = 500\n16481 = 500\n"
+        "[[network.message]]\nid = 0x301\nbytes = 2\nperiod_ms = 100\n"};
 
 }  // namespace cgw::diagnostic::rules

@@ -15,7 +15,8 @@
     RULE(bus_load_high) \
     RULE(message_late) \
     RULE(message_too_short) \
-    RULE(message_not_counted)
+    RULE(message_not_counted) \
+    RULE(message_too_slow)
 // clang-format on
 
 namespace cgw::diagnostic::rules {
