@@ -89,10 +89,6 @@ using ObjectRow = AspectRow<Object>;
 constexpr std::array of_object{
     ObjectRow{"object-type", "object type", false,
               [](const auto& o) { return std::string(object_code_text(o.code)); }},
-};
-constexpr std::array of_sub_objects{
-    ObjectRow{"name", "name", false, [](const auto& o) { return o.name; }},
-    ObjectRow{"flags", "ObjFlags", false, [](const auto& o) { return hexadecimal(o.flags); }},
     ObjectRow{"links", "object links", false,
               [](const auto& o) {
                   std::string links;
@@ -101,6 +97,10 @@ constexpr std::array of_sub_objects{
                   }
                   return links;
               }},
+};
+constexpr std::array of_sub_objects{
+    ObjectRow{"name", "name", false, [](const auto& o) { return o.name; }},
+    ObjectRow{"flags", "ObjFlags", false, [](const auto& o) { return hexadecimal(o.flags); }},
 };
 
 Value resolved(const Place& place, const Value& value) {

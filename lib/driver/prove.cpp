@@ -70,6 +70,9 @@ class Prover {
             description->findings =
                 check_data_sheet_text(path, description->sources[path], {.strict = true}).findings;
         }
+        if (is_of_any_device(description->kind) && !is_eds(description->kind)) {
+            description->findings.promote_warnings();  // importers of the other dialect take another value
+        }
         if (!is_of_any_device(description->kind)) {
             description->findings.report(
                 {&diagnostic::rules::eds_text,

@@ -179,17 +179,17 @@ void read_dummy_usage(Reading& reading, std::vector<std::uint8_t>& dummies) {
         return;
     }
     const Section& section = reading.section(*number);
-    std::array<bool, highest_u8 + 1> used{};
+    std::array<std::optional<bool>, highest_u8 + 1> used{};  // the first entry counts
     for (std::uint32_t line = section.header + 1; line < section.end; ++line) {
         if (reading.document.lines()[line].kind == LineKind::entry) {
             const auto type = number_behind(reading.document.key(line), "Dummy", 16);
-            if (type && *type <= highest_u8) {
+            if (type && *type <= highest_u8 && !used[*type]) {
                 used[*type] = reading.number(line, 1) == 1U;
             }
         }
     }
     for (std::size_t type = 0; type < used.size(); ++type) {
-        if (used[type]) {
+        if (used[type].value_or(false)) {
             dummies.push_back(static_cast<std::uint8_t>(type));
         }
     }

@@ -126,6 +126,7 @@ Sheet read(const Document& document, const std::string& path, diagnostic::Findin
     judge_nul(reading);
     judge_lines(reading);
     judge_names(reading);
+    judge_free_keys(reading);
     dictionary::Dictionary& dictionary = sheet.dictionary;
     read_file_information(reading, dictionary.file);
     read_device_information(reading, dictionary.device);

@@ -228,10 +228,15 @@ std::optional<Value> Reading::octets(std::uint32_t line) {
 }
 
 std::optional<Value> Reading::value(std::uint32_t line, const TypeRow& type) {
-    if (line == 0 || document.value(line).empty() || type.kind == TypeKind::structure) {
+    if (line == 0 || document.value(line).empty()) {
         return std::nullopt;
     }
     switch (type.kind) {
+        case TypeKind::structure:
+            report(rules::eds_value, document.value_span(line),
+                   fmt::format("{}, and {} is a record, which has no value of its own", quoted_value(line),
+                               type.name));
+            return std::nullopt;
         case TypeKind::real:
             return real(line, type);
         case TypeKind::domain:

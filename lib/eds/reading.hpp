@@ -103,10 +103,12 @@ class Reading {
         }
     }
 
+    // Of an entry whose key is a decimal number.
+    std::optional<std::uint32_t> entry_number(std::uint32_t line) const;
+
     std::size_t variables = 0;  // so far, of all objects
 
   private:
-    std::optional<std::uint32_t> entry_number(std::uint32_t line) const;
     // A number that was read; false when it was none, which is a finding then.
     bool judge(const Number& number, std::uint32_t line) {
         const bool plain = number.reading != Number::Reading::none && !number.loose && !number.misplaced;
@@ -132,6 +134,7 @@ inline constexpr std::uint64_t highest_u32 = 0xFFFFFFFF;
 
 // The parts of the reader; each in the file of its name.
 
+void judge_free_keys(Reading& reading);  // judge_keys.cpp
 void read_file_information(Reading& reading, dictionary::FileInformation& file);  // read_information.cpp
 void read_device_information(Reading& reading, dictionary::DeviceInformation& device);
 void read_dummy_usage(Reading& reading, std::vector<std::uint8_t>& dummies);

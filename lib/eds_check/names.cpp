@@ -182,7 +182,9 @@ void check_absent_keys(const Context& context) {
     for (std::uint32_t number = 0; number < sections.size(); ++number) {
         std::string absent;
         for (const KeyRow& row : rows_of(context.kind_of(number))) {
-            if (row.required && !context.document.find(sections[number], row.name)) {
+            // Empty is missing.
+            const auto line = row.required ? context.document.find(sections[number], row.name) : std::nullopt;
+            if (row.required && (!line || context.document.value(*line).empty())) {
                 absent += absent.empty() ? "" : ", ";
                 absent += row.name;
             }

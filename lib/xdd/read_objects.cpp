@@ -58,7 +58,7 @@ class ObjectReader {
             const pugi::xml_attribute attribute = element.attribute(name);
             source_.report(
                 rules::xdd_twice, element, attribute,
-                fmt::format("{} stands in the file already; this one is not read", quoted(attribute)));
+                fmt::format("{}: this stands in the file already, and is not read again", quoted(attribute)));
         }
         return std::exchange(taken, true);
     }
@@ -88,7 +88,9 @@ class ObjectReader {
 
     void read_sub_objects(pugi::xml_node element, Object& object) {
         std::array<bool, 0x100> taken{};
+        std::size_t count = 0;
         Source::each_child(element, "CANopenSubObject", [&](pugi::xml_node sub) {
+            ++count;
             const auto sub_index = required(sub, "subIndex", 0xFF);
             if (!sub_index || is_taken(taken[*sub_index], sub, "subIndex")) {
                 return;
@@ -104,6 +106,13 @@ class ObjectReader {
         });
         std::sort(object.variables.begin(), object.variables.end(),
                   [](const Variable& a, const Variable& b) { return a.sub_index < b.sub_index; });
+        const pugi::xml_attribute stated = element.attribute("subNumber");
+        const auto number = source_.number(element, "subNumber", 0xFF);
+        if (number && *number != count) {
+            source_.report(rules::xdd_sub_number, element, stated,
+                           fmt::format("{}, and {} sub-object{} there", quoted(stated), count,
+                                       count == 1 ? " stands" : "s stand"));
+        }
     }
 
     std::optional<ObjectCode> stated_code(pugi::xml_node element) {

@@ -220,4 +220,18 @@ TEST(Differences, of_denotations_and_files_count_between_two_configurations_only
     EXPECT_TRUE(differences({a}, {b, &node}).same());
 }
 
+// An object with one value may have links as well.
+TEST(Differences, tell_links_of_objects_without_sub_objects) {
+    Dictionary a;
+    Object& object = a.objects.emplace_back();
+    object.index = 0x6064;
+    object.variables.emplace_back();
+    Dictionary b = a;
+    b.objects[0].object_links = {0x606C};
+    const Differences found = differences({a}, {b});
+    ASSERT_EQ(found.all.size(), 1U);
+    EXPECT_EQ(found.all[0].aspect, "links");
+    EXPECT_EQ(found.all[0].b, "606Ch");
+}
+
 }  // namespace cgw::dictionary

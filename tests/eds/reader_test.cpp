@@ -175,7 +175,8 @@ TEST(EdsReader, refuses_values_that_are_not_of_their_type) {
           Row{"0x02", "256", "eds-number-range"}, Row{"0x05", "-1", "eds-number-range"},
           Row{"0x1B", "0x1FFFFFFFFFFFFFFFF", "eds-number-range"}, Row{"0x08", "1e300", "eds-number-range"},
           Row{"0x08", "1,5", "eds-value"}, Row{"0x07", "089", "eds-value"}, Row{"0x0A", "ABC", "eds-value"},
-          Row{"0x0A", "zz", "eds-value"}, Row{"0x0A", "AB CD", "eds-number-form"}}) {
+          Row{"0x22", "1", "eds-value"}, Row{"0x0A", "zz", "eds-value"},
+          Row{"0x0A", "AB CD", "eds-number-form"}}) {
         const Result result(var(row.type, fmt::format("DefaultValue={}", row.text)));
         EXPECT_EQ(result.told(), fmt::format("6:14 {}\n", row.told)) << row.text;
     }
@@ -284,6 +285,26 @@ TEST(EdsReader, tells_of_two_sections_for_one_sub_object_however_they_are_spelt)
                         "[2000SUB1]\n" + entries);
     EXPECT_EQ(result.told(), "7:2 eds-section-twice\n11:2 eds-section-twice\n");
     EXPECT_EQ(result.sheet.dictionary.find(0x2000)->variables.size(), 1U);
+}
+
+TEST(EdsReader, tells_keys_that_stand_twice_in_lists_of_any_length) {
+    EXPECT_EQ(Result("[DeviceInfo]\nBaudRate_125=1\nbaudrate_125=0\n").told(), "3:1 eds-key-twice\n");
+    EXPECT_EQ(
+        Result("[OptionalObjects]\nSupportedObjects=1\n1=0x1000\n1=0x1001\nsupportedobjects=2\n").told(),
+        "4:1 eds-key-twice\n5:1 eds-key-twice\n");
+    EXPECT_EQ(Result("[Comments]\nLines=1\nLine1=a\nLine1=b\n").told(), "4:1 eds-key-twice\n");
+    const Result dummies("[DummyUsage]\nDummy0005=1\nDummy0005=0\n");
+    EXPECT_EQ(dummies.told(), "3:1 eds-key-twice\n");
+    EXPECT_EQ(dummies.sheet.dictionary.supported_dummies, std::vector<std::uint8_t>{5});
+    EXPECT_EQ(Result("[OptionalObjects]\nSupportedObjects=2\n2=0x1001\n1=0x1000\n").told(), "");
+    EXPECT_EQ(Result("[Vendor]\na=1\na=1\n[DeviceInfo]\n").told(), "");
+}
+
+TEST(EdsReader, tells_entries_of_lists_that_are_no_index) {
+    EXPECT_EQ(
+        Result("[OptionalObjects]\nSupportedObjects=x\n1=xyz\n2=\n3=0x10000\n4=0x1018,0x1019\n5=0x1000\n")
+            .told(),
+        "2:18 eds-value\n3:3 eds-value\n4:3 eds-value\n5:3 eds-number-range\n6:3 eds-value\n");
 }
 
 TEST(EdsReader, tells_when_a_file_is_no_eds) {

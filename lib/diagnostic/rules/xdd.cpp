@@ -1,4 +1,4 @@
-// E0901..E0915: XML device descriptions and configurations (XDD, XDC).
+// E0901..E0916: XML device descriptions and configurations (XDD, XDC).
 #include "diagnostic/rules/xdd.hpp"
 
 namespace cgw::diagnostic::rules {
@@ -246,5 +246,27 @@ const Rule xdd_bit_rate{.code = "E0915",
                             "accessType=\"ro\"/>\n"
                             "<TransportLayers><PhysicalLayer><baudRate><supportedBaudRate value=\"125 "
                             "Kbps\"/></baudRate></PhysicalLayer></TransportLayers>\n"};
+const Rule xdd_sub_number{
+    .code = "E0916",
+    .name = "xdd-sub-number",
+    .level = Level::warning,
+    .summary = "subNumber counts the sub-objects of an object",
+    .reference = "CiA 311",
+    .why = "A tool that trusts the number stops early, or waits for sub-objects that never come.",
+    .example = Example::device_description,
+    .bad =
+        "<CANopenObject index=\"2000\" name=\"Values\" objectType=\"9\" subNumber=\"3\">\n"
+        "<CANopenSubObject subIndex=\"00\" name=\"Highest\" objectType=\"7\" dataType=\"0005\" "
+        "accessType=\"ro\" defaultValue=\"1\"/>\n"
+        "<CANopenSubObject subIndex=\"01\" name=\"One\" objectType=\"7\" dataType=\"0007\" "
+        "accessType=\"ro\"/>\n"
+        "</CANopenObject>\n",
+    .good =
+        "<CANopenObject index=\"2000\" name=\"Values\" objectType=\"9\" subNumber=\"2\">\n"
+        "<CANopenSubObject subIndex=\"00\" name=\"Highest\" objectType=\"7\" dataType=\"0005\" "
+        "accessType=\"ro\" defaultValue=\"1\"/>\n"
+        "<CANopenSubObject subIndex=\"01\" name=\"One\" objectType=\"7\" dataType=\"0007\" "
+        "accessType=\"ro\"/>\n"
+        "</CANopenObject>\n"};
 
 }  // namespace cgw::diagnostic::rules

@@ -19,7 +19,8 @@
     RULE(xdd_contradiction) \
     RULE(xdd_twice) \
     RULE(xdd_no_type) \
-    RULE(xdd_bit_rate)
+    RULE(xdd_bit_rate) \
+    RULE(xdd_sub_number)
 // clang-format on
 
 namespace cgw::diagnostic::rules {
