@@ -12,6 +12,7 @@
 #include "cli/cgw/terminal.hpp"
 #include "config/numbers.hpp"
 #include "facts/identifiers.hpp"
+#include "network/same_device.hpp"
 
 namespace cgw::cli {
 namespace {
@@ -78,12 +79,25 @@ Change change_of(const std::string& text) {
     return change;
 }
 
-void read_node(const Arguments& arguments, const NodeOption& option, BusMembers& members) {
+void read_node(const Arguments& arguments, const NodeOption& option, int device, BusMembers& members) {
     const driver::DeviceDescription description = load_description(arguments, option.path, members.exit_code);
-    if (!description.valid()) {
+    if (!description.valid() || members.exit_code != exit_fine) {
         return;
     }
     network::ForeignNode node = network::messages_of(description.dictionary, option.node_id, option.path);
+    for (std::size_t plant = 0; plant < members.plants.size(); ++plant) {
+        const driver::CheckedFile& file = members.plants[plant];
+        if (file.configuration.node_id == option.node_id &&
+            network::difference_between(
+                network::messages_of(file.settings, file.configuration, static_cast<int>(plant)),
+                node.messages, option.node_id)
+                .empty()) {
+            return;
+        }
+    }
+    for (network::Message& message : node.messages) {
+        message.plant = device;
+    }
     members.foreign.insert(members.foreign.end(), node.messages.begin(), node.messages.end());
     members.left_out.insert(members.left_out.end(), node.left_out.begin(), node.left_out.end());
 }
@@ -129,8 +143,9 @@ BusMembers read_members(const Arguments& arguments) {
         members.exit_code = worse(members.exit_code, exit_code_of(file));
         members.plants.push_back(std::move(file));
     }
+    int device = 0;
     for (const NodeOption& node : nodes) {
-        read_node(arguments, node, members);
+        read_node(arguments, node, --device, members);
     }
     return members;
 }

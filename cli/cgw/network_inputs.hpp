@@ -45,7 +45,8 @@ struct BusMembers {
     int exit_code = 0;
 };
 
-// Reads everything; findings are on stderr. Members are to be used when the exit code is 0.
+// Reads everything; findings are on stderr. What --node tells of a plant's own gateway once more is left out.
+// Members are to be used when the exit code is 0.
 BusMembers read_members(const Arguments& arguments);
 
 // All messages of the members, not yet merged.

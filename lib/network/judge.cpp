@@ -3,70 +3,51 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <map>
 
 #include "base/canopen_text.hpp"
 #include "base/numbers.hpp"
 #include "config/numbers.hpp"
 #include "diagnostic/rules/network.hpp"
+#include "network/judge_parts.hpp"
 #include "network/sources.hpp"
 
 namespace cgw::network {
 namespace {
 
 namespace rules = diagnostic::rules;
-using base::identifier_text;
 using base::milliseconds_text;
 using diagnostic::Diagnostic;
 using diagnostic::Findings;
 using diagnostic::Location;
 
-std::string label_of(const Message& message) {
-    return fmt::format("{} {}", identifier_text(message.identifier), message.label());
-}
-
 std::string percent(double share) {
     return fmt::format("{:.1f} %", share * 100);
 }
 
-// Reports the first findings of a kind, and how many more there are.
-class Listed {
-  public:
-    Listed(Findings& findings, const diagnostic::Rule& rule) : findings_(findings), rule_(rule) {}
-    Listed(const Listed&) = delete;
-    Listed& operator=(const Listed&) = delete;
-    ~Listed() {
-        if (count_ > most_findings) {
-            last_.message = fmt::format("{}, and {} more like this", last_.message, count_ - most_findings);
-        }
-        if (count_ != 0) {
-            findings_.report(std::move(last_));
-        }
-    }
+// What nobody states stands nowhere: then it is a matter of the whole bus.
+const Location& place_of(const Message& message, const Location& bus) {
+    return message.where.path.empty() ? bus : message.where;
+}
 
-    void report(const Location& where, std::string message, std::string help = {}) {
-        if (++count_ <= most_findings) {
-            if (count_ > 1) {
-                findings_.report(std::move(last_));
-            }
-            last_ = {.rule = &rule_, .message = std::move(message), .where = where, .help = std::move(help)};
-        }
+// Whether all messages would have a bound without disturbances.
+bool is_due_to_errors(const Analysis& analysis) {
+    if (analysis.bus.errors_per_second == 0) {
+        return false;
     }
-    void relate(const Location& where, std::string message) {
-        if (count_ <= most_findings) {
-            last_.related.push_back({where, std::move(message)});
-        }
+    std::vector<Message> messages;
+    messages.reserve(analysis.messages.size());
+    for (const MessageResult& result : analysis.messages) {
+        messages.push_back(result.message);
     }
-
-  private:
-    Findings& findings_;
-    const diagnostic::Rule& rule_;
-    Diagnostic last_;
-    std::size_t count_ = 0;
-};
+    Bus calm = analysis.bus;
+    calm.errors_per_second = 0;
+    const Analysis without = analyse(messages, calm);
+    return std::all_of(without.messages.begin(), without.messages.end(),
+                       [](const MessageResult& result) { return result.bounded(); });
+}
 
 // One finding: what takes the bus from the first takes it from all behind it.
-bool judge_bounds(const Analysis& analysis, Findings& findings) {
+bool judge_bounds(const Analysis& analysis, const Location& bus, Findings& findings) {
     const auto is_unbounded = [](const MessageResult& result) { return !result.bounded(); };
     const auto first = std::find_if(analysis.messages.begin(), analysis.messages.end(), is_unbounded);
     if (first == analysis.messages.end()) {
@@ -74,14 +55,22 @@ bool judge_bounds(const Analysis& analysis, Findings& findings) {
     }
     const auto count = std::count_if(first, analysis.messages.end(), is_unbounded);
     const std::string others = count == 1 ? "" : fmt::format(" and {} others", count - 1);
-    const std::string_view reason = first->bound == Bound::none
-                                        ? "messages of higher or equal priority may take all the bus"
-                                        : "the search for a bound was given up";
+    std::string reason = first->bound == Bound::none
+                             ? "messages of higher or equal priority may take all the bus"
+                             : "the search for a bound was given up";
+    std::string help = first == analysis.messages.begin()
+                           ? "send it less often, or raise the bit rate"
+                           : "send it and what is above it less often, or raise the bit rate";
+    if (is_due_to_errors(analysis)) {
+        reason = fmt::format("{} errors per second may take all the bus",
+                             base::to_text(analysis.bus.errors_per_second));
+        help = "raise the bit rate, or count with fewer errors";
+    }
     findings.report(
         {.rule = &rules::message_unbounded,
          .message = fmt::format("{}{} may wait for ever: {}", label_of(first->message), others, reason),
-         .where = first->message.where,
-         .help = "send what is above less often, or raise the bit rate"});
+         .where = place_of(first->message, bus),
+         .help = std::move(help)});
     return false;
 }
 
@@ -203,53 +192,8 @@ std::optional<std::uint32_t> judge_bit_rate(std::span<const Member> members, Fin
     return agreed && first != nullptr ? first->bit_rate : std::nullopt;
 }
 
-// A message of which only the time is assumed has a sender all the same.
-bool has_owner(const Message& message) {
-    return !message.receiver && (!message.assumed || !message.sender.empty());
-}
-
-bool are_in_conflict(const Message& a, const Message& b) {
-    const bool told_twice = a.label() == b.label() && a.bytes == b.bytes && a.plant != b.plant;
-    const bool two_senders = !a.sender.empty() && !b.sender.empty() && a.sender != b.sender;
-    return a.identifier == b.identifier && has_owner(a) && has_owner(b) && !told_twice &&
-           (two_senders || (!a.assumed && !b.assumed));
-}
-
-void judge_owners(std::span<const Member> members, std::span<const Message> messages, Findings& findings) {
-    std::map<std::uint8_t, const Member*> nodes;
-    bool shared = false;
-    for (const Member& member : members) {
-        const auto [first, is_new] = nodes.try_emplace(member.node_id, &member);
-        if (!is_new) {
-            shared = true;
-            findings.report({.rule = &rules::node_shared,
-                             .message = fmt::format("two plants have node id {}", member.node_id),
-                             .where = member.node_where,
-                             .related = {{first->second->node_where, "also here"}}});
-        }
-    }
-    std::map<std::uint32_t, const Message*> owners;
-    Listed conflicts(findings, rules::identifier_conflict);
-    for (const Message& message : messages) {
-        if (!has_owner(message)) {
-            continue;
-        }
-        const auto [first, is_new] = owners.try_emplace(message.identifier, &message);
-        const Message& other = *first->second;
-        // What follows from a node id that two have is one finding.
-        const bool follows = shared && !message.sender.empty() && message.sender == other.sender;
-        if (is_new || follows || !are_in_conflict(message, other)) {
-            continue;
-        }
-        conflicts.report(message.where,
-                         fmt::format("{} is sent as {} and as {}", identifier_text(message.identifier),
-                                     other.label(), message.label()));
-        conflicts.relate(other.where, other.label());
-    }
-}
-
 void judge(const Analysis& analysis, const Bands& bands, const Location& bus, Findings& findings) {
-    if (judge_bounds(analysis, findings)) {
+    if (judge_bounds(analysis, bus, findings)) {
         judge_load(analysis, bands, bus, findings);
     }
     judge_times(analysis, findings);

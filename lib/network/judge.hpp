@@ -60,7 +60,8 @@ struct Judged {
 Judged judge_bus(std::span<const Member> members, std::vector<Message> messages, const Bus& conditions,
                  const Bands& bands);
 
-// Two messages that are not the same one told twice: an identifier with two senders.
+// Two messages that are not the same one told twice: an identifier with two senders. What two tell alike but
+// for its times is one message.
 bool are_in_conflict(const Message& a, const Message& b);
 
 }  // namespace cgw::network

@@ -11,13 +11,18 @@ bool known_before_assumed(const Message& a, const Message& b) {
     return a.identifier != b.identifier ? a.identifier < b.identifier : a.assumed < b.assumed;
 }
 
-// What was assumed is stated: what the receiver demands of it stays.
+// What was assumed is stated: what the receiver demands of it stays. Of two statements the more demanding one
+// counts.
 void take_demands(Message& known, const Message& assumed) {
     const auto shorter = [](std::uint64_t& time, std::uint64_t other) {
         time = time == 0 || (other != 0 && other < time) ? other : time;
     };
     shorter(known.monitored_us, assumed.monitored_us);
     shorter(known.deadline_us, assumed.deadline_us);
+    if (!known.assumed && !assumed.assumed) {
+        shorter(known.period_us, assumed.period_us);
+        known.jitter_us = std::max(known.jitter_us, assumed.jitter_us);
+    }
     if (known.assumed && known.receiver) {
         shorter(known.period_us, assumed.period_us);
         known.bytes = std::max(known.bytes, assumed.bytes);

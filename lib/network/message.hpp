@@ -31,7 +31,8 @@ struct Message {
     bool receiver = false;            // told by who is to receive it; nobody says who sends it
     std::uint8_t received_bytes = 0;  // the fewest that a receiver takes
     std::uint8_t tpdo = 0;            // 1..16: a plant's
-    int plant = -1;                   // whose, in the order in which they were given; -1: of no plant
+    // Whose, in the order in which they were given: 0, 1, .. plants, -1, -2, .. descriptions of other nodes.
+    int plant = -1;
     diagnostic::Location where{};
 
     // "TPDO5 of node 12"

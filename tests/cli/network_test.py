@@ -195,6 +195,53 @@ class Network(unittest.TestCase):
             self.assertIn("--node", self.run_cgw("plant.toml", "--node", option, code=2).stderr)
         self.run_cgw("plant.toml", "--node", "missing.eds:5", code=3)
 
+    def test_a_node_id_belongs_to_one_device(self):
+        self.run_cgw("eds", GENSET, "-o", "own.eds", verb="emit", code=0)
+        alone = self.report(GENSET)
+        told_twice = self.report(GENSET, "--node", "own.eds:12")
+        self.assertEqual(alone, told_twice)
+        self.report(GENSET, "--node", "own.eds:12", "--what-if", "TPDO5=100ms")
+        sample = SAMPLES / "manual-example.toml"
+        self.run_cgw("eds", sample, "-o", "quantised.eds", verb="emit", code=0)
+        self.run_cgw(sample, "--node", "quantised.eds:1", code=0)
+        eds = (self.dir / "own.eds").read_text(encoding="latin-1")
+        begin = eds.index("[1017]")
+        other = eds[:begin] + eds[begin:].replace("DefaultValue=0x0320", "DefaultValue=200", 1)
+        self.assertNotEqual(eds, other)
+        (self.dir / "other.eds").write_text(other, encoding="latin-1")
+        result = self.run_cgw(GENSET, "--node", "other.eds:12", code=1)
+        words = " ".join(result.stderr.split())
+        self.assertIn("other.eds: error: a plant has node id 12 as well, and is another device: 70Ch heartbeat of node "
+                      "12 is every 200 ms, and the plant's every 800 ms [E1104 node-shared]", words)
+        self.assertEqual(words.count("[E1"), 1)
+        self.assertTrue(result.stdout.startswith("it will not work"))
+        result = self.run_cgw(SAMPLES / "minimal.toml", "--node", "own.eds:5", "--node", "own.eds:5", code=1)
+        self.assertIn("two other nodes have node id 5 [E1104 node-shared]", " ".join(result.stderr.split()))
+
+    def test_two_files_that_tell_one_message(self):
+        row = "[[network.message]]\nid = 0x301\nname = 'setpoint'\nbytes = 8\nperiod_ms = {}\n"
+        self.write("a.toml", plant(1, 200, more=row.format(800)))
+        self.write("b.toml", plant(2, 200, first=0x690, more=row.format(200)))
+        document = self.report("a.toml", "b.toml")
+        self.assertEqual(self.message(document, 0x301)["period_ms"], 200)
+        result = self.run_cgw("a.toml", "b.toml", code=0)
+        self.assertIn("warning: 301h setpoint comes every 200 ms, and elsewhere every 800 ms: the shorter counts [E1113",
+                      " ".join(result.stderr.split()))
+        self.write("b.toml", plant(2, 200, first=0x690, more=row.format(800)))
+        self.assertNotIn("E1113", self.run_cgw("a.toml", "b.toml", code=0).stderr)
+
+    def test_errors_that_take_all_the_bus(self):
+        sample = SAMPLES / "minimal.toml"
+        result = self.run_cgw(sample, "--errors", "3000", code=1)
+        words = " ".join(result.stderr.split())
+        self.assertIn("minimal.toml:17:7: error: 000h NMT and 3 others may wait for ever: 3000 errors per second may take "
+                      "all the bus [E1105 message-unbounded]", words)
+        self.assertIn("help: raise the bit rate, or count with fewer errors", words)
+        self.assertIn("minimal.toml: not valid, 1 error", words)
+        self.write("full.toml", plant(more="[[network.message]]\nid = 0x10\nperiod_ms = 1\n"))
+        words = " ".join(self.run_cgw("full.toml", code=1).stderr.split())
+        self.assertIn("help: send it and what is above it less often, or raise the bit rate", words)
+
     def test_what_if(self):
         document = self.report(GENSET, "--what-if", "baud=125", "--what-if", "TPDO5=100ms")
         self.assertEqual(document["what_if"], ["baud=125", "TPDO5=100ms"])

@@ -1,12 +1,15 @@
 // Messages of plants and of other nodes, and how they come together.
 #include "network/sources.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
+#include "diagnostic/rules/network.hpp"
 #include "network/identifier_map.hpp"
 #include "network/judge.hpp"
+#include "network/same_device.hpp"
 #include "support/plant_builder.hpp"
 
 namespace cgw::network {
@@ -156,6 +159,93 @@ TEST(Merging, what_two_files_say_of_one_message_counts_once) {
     EXPECT_EQ(merged({row(0x300, "setpoint", 0), row(0x300, "setpoint", 1)}).size(), 2U);
     EXPECT_EQ(merged({row(0x300, "setpoint", 0), row(0x300, "setpoint", 0)}).size(), 3U);
     EXPECT_EQ(merged({row(0x300, "setpoint", 0), row(0x300, "load", 1)}).size(), 3U);
+}
+
+TEST(Merging, of_two_statements_the_more_demanding_one_counts) {
+    Message slow = row(0x300, "setpoint", 0);
+    slow.period_us = 800'000;
+    Message fast = row(0x300, "setpoint", 1);
+    fast.period_us = 200'000;
+    fast.jitter_us = 2'000;
+    for (const std::vector<Message>& told : {std::vector{slow, fast}, std::vector{fast, slow}}) {
+        const std::vector<Message> messages = merged(told);
+        ASSERT_EQ(messages.size(), 2U);
+        EXPECT_EQ(messages[1].period_us, 200'000U);
+        EXPECT_EQ(messages[1].jitter_us, 2'000U);
+        diagnostic::Findings findings;
+        judge_owners({}, told, findings);
+        ASSERT_EQ(findings.all().size(), 1U);
+        EXPECT_EQ(findings.all()[0].rule, &diagnostic::rules::message_told_twice);
+    }
+    diagnostic::Findings findings;
+    judge_owners({}, std::vector{slow, row(0x301, "setpoint", 1, true)}, findings);
+    EXPECT_TRUE(findings.all().empty());
+}
+
+namespace {
+
+std::vector<Message> described(std::uint64_t heartbeat_us, int device) {
+    dictionary::Dictionary node;
+    node.objects = {record(0x1017, {heartbeat_us / 1000})};
+    std::vector<Message> messages = messages_of(node, 1, "node.eds").messages;
+    for (Message& message : messages) {
+        message.plant = device;
+    }
+    return messages;
+}
+
+}  // namespace
+
+TEST(NodeIds, belong_to_one_device) {
+    test::PlantBuilder plant;
+    plant.minimal();
+    const std::vector<Message> own = messages_of(plant.settings(), plant.resolve(), 0);
+    EXPECT_EQ(difference_between(own, described(800'000, -1), 1), "");
+    EXPECT_EQ(difference_between(own, described(200'000, -1), 1),
+              "701h heartbeat of node 1 is every 200 ms, and the plant's every 800 ms");
+    EXPECT_EQ(difference_between(own, described(0, -1), 1), "it has no 701h heartbeat of node 1");
+    std::vector<Message> more = described(800'000, -1);
+    more.push_back(row(0x181, "TPDO1", -1));
+    EXPECT_EQ(difference_between(own, more, 1), "the plant has no 181h TPDO1");
+    more = described(800'000, -1);
+    more.back().bytes = 4;
+    EXPECT_NE(difference_between(own, more, 1).find(" has 4 bytes, and the plant's 8"), std::string::npos);
+
+    const std::vector<Member> members{member_of(plant.settings(), plant.resolve())};
+    const auto codes = [&](std::vector<Message> messages, const std::vector<Message>& added) {
+        messages.insert(messages.end(), added.begin(), added.end());
+        diagnostic::Findings findings;
+        judge_owners(members, messages, findings);
+        std::string text;
+        for (const diagnostic::Diagnostic& finding : findings.all()) {
+            text += fmt::format("{} {}\n", finding.rule->code, finding.where.path);
+        }
+        return text;
+    };
+    EXPECT_EQ(codes(own, described(800'000, -1)), "");
+    EXPECT_EQ(codes(own, described(200'000, -1)), "E1104 node.eds\n");
+    std::vector<Message> twice = described(800'000, -1);
+    const std::vector<Message> again = described(800'000, -2);
+    twice.insert(twice.end(), again.begin(), again.end());
+    diagnostic::Findings findings;
+    judge_owners({}, twice, findings);
+    ASSERT_EQ(findings.all().size(), 1U);
+    EXPECT_EQ(findings.all()[0].message, "two other nodes have node id 1");
+}
+
+TEST(Judging, a_message_that_nobody_states_is_a_matter_of_the_bus) {
+    test::PlantBuilder plant;
+    plant.minimal();
+    const std::vector<Member> members{member_of(plant.settings(), plant.resolve())};
+    Bus bus;
+    bus.errors_per_second = 3000;
+    const Judged judged = judge_bus(members, messages_of(plant.settings(), plant.resolve(), 0), bus, Bands{});
+    ASSERT_EQ(judged.findings.all().size(), 1U);
+    const diagnostic::Diagnostic& finding = judged.findings.all()[0];
+    EXPECT_EQ(finding.rule, &diagnostic::rules::message_unbounded);
+    EXPECT_EQ(finding.where, members[0].rate_where);
+    EXPECT_NE(finding.message.find("3000 errors per second may take all the bus"), std::string::npos);
+    EXPECT_EQ(finding.help, "raise the bit rate, or count with fewer errors");
 }
 
 TEST(IdentifierMap, covers_all_identifiers_once) {

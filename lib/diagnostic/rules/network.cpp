@@ -154,5 +154,16 @@ const Rule message_too_slow{
     .good =
         "[governor.parameters]\n900 = 1\n4900 = 3\n16480 = 500\n16481 = 500\n"
         "[[network.message]]\nid = 0x301\nbytes = 2\nperiod_ms = 100\n"};
+const Rule message_told_twice{.code = "E1113",
+                              .name = "message-told-twice",
+                              .level = Level::warning,
+                              .summary = "two files that tell one message agree in how often it comes",
+                              .reference = "",
+                              .why =
+                                  "One of them is wrong or out of date. The shorter time counts, so that the "
+                                  "load is not told too low.",
+                              .example = Example::none,
+                              .bad = "",
+                              .good = ""};
 
 }  // namespace cgw::diagnostic::rules

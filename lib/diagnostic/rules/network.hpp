@@ -16,7 +16,8 @@
     RULE(message_late) \
     RULE(message_too_short) \
     RULE(message_not_counted) \
-    RULE(message_too_slow)
+    RULE(message_too_slow) \
+    RULE(message_told_twice)
 // clang-format on
 
 namespace cgw::diagnostic::rules {
