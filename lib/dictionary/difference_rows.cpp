@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/canopen_text.hpp"
+#include "base/utf8.hpp"
 #include "dictionary/data_types.hpp"
 #include "dictionary/value_text.hpp"
 
@@ -99,7 +100,7 @@ constexpr std::array of_object{
               }},
 };
 constexpr std::array of_sub_objects{
-    ObjectRow{"name", "name", false, [](const auto& o) { return o.name; }},
+    ObjectRow{"name", "name", false, [](const auto& o) { return base::to_utf8(o.name); }},
     ObjectRow{"flags", "ObjFlags", false, [](const auto& o) { return hexadecimal(o.flags); }},
 };
 
@@ -122,7 +123,7 @@ std::string limit_text(const Place& place, const std::optional<Value>& limit) {
 using VariableRow = AspectRow<Place>;
 
 constexpr std::array of_variable{
-    VariableRow{"name", "name", false, [](const auto& p) { return p.variable.name; }},
+    VariableRow{"name", "name", false, [](const auto& p) { return base::to_utf8(p.variable.name); }},
     VariableRow{"data-type", "data type", true,
                 [](const auto& p) { return std::string(row_of(p.variable.type).name); }},
     VariableRow{"access", "access", true,

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "base/ascii.hpp"
+#include "base/utf8.hpp"
 #include "dictionary/ascii.hpp"
 
 namespace cgw::eds {
@@ -19,7 +20,7 @@ bool breaks_lines(char c) {
 }  // namespace
 
 std::string entry_text(std::string_view key, std::string_view text) {
-    std::string value = dictionary::to_ascii(text);
+    std::string value = dictionary::to_ascii(base::to_utf8(text));
     std::replace(value.begin(), value.end(), ';', ',');
     return dictionary::shortened(base::trimmed(value, " "), longest_line - key.size() - 1);
 }

@@ -96,11 +96,9 @@ void check_first_sub_values(const Context& context) {
 
 void check_defaults(const Context& context) {
     constexpr std::uint16_t identity = 0x1018;
-    constexpr std::uint8_t serial_number = 4;
     for_each_parent(context, [&](const Group& group) {
         for (const Part& part : group.sub_objects()) {
-            const bool of_each_device = part.sub_index == serial_number;  // no default can be right
-            const bool wanted = part.sub_index == 0 || (group.index == identity && !of_each_device);
+            const bool wanted = part.sub_index == 0 || group.index == identity;
             if (wanted && part.variable != nullptr && value_of(*part.variable) == nullptr &&
                 !context.stated(part.lines[ObjectKey::default_value])) {
                 context.reading.report(rules::eds_default_absent, context.header_of(part.section),

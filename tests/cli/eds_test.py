@@ -327,6 +327,19 @@ class Verify(Case):
         self.assertFalse(document["same"])
         self.assertEqual(document["artefacts"][0]["differences"][0]["aspect"], "vendor-number")
 
+    def test_an_xdd_that_contradicts_itself_fails(self):
+        xdd = self.dir / "plant.xdd"
+        xdd.write_bytes(cgw("emit", "xdd", GENSET).stdout)
+        self.assertEqual(cgw("verify", GENSET, "--eds", xdd).returncode, 0)
+        for old, new, rule in ((b'<co:defaultValue value="0x00000681"', b'<co:defaultValue value="0x00000682"', b"E0912"),
+                               (b'subNumber="5"', b'subNumber="99"', b"E0916")):
+            text = cgw("emit", "xdd", GENSET).stdout
+            self.assertIn(old, text)
+            xdd.write_bytes(text.replace(old, new, 1))
+            result = cgw("verify", GENSET, "--eds", xdd)
+            self.assertEqual(result.returncode, 1)
+            self.assertIn(rule, result.stderr)
+
     def test_what_strict_importers_refuse_fails_though_nothing_differs(self):
         refused = self.changed(b"AccessType=rww", b"AccessType=rw")
         self.assertEqual(cgw("eds", "check", refused).returncode, 0)

@@ -85,6 +85,7 @@ TEST(ConvertFormats, decode_latin_1_once) {
             EXPECT_NE(converted(device, format).find("Ger\xC3\xA4t"), std::string::npos) << format;
         }
         const xdd::Sheet again = xdd::read(converted(device, "xdd"), "device.xdd", findings);
+        EXPECT_NE(converted(device, "eds").find("ProductName=Geraet\r\n"), std::string::npos);
         EXPECT_EQ(again.dictionary.device.product_name, "Ger\xC3\xA4t");
         EXPECT_NE(converted({again.dictionary, {}}, "eds").find("ProductName=Geraet\r\n"), std::string::npos)
             << converted({again.dictionary, {}}, "eds");

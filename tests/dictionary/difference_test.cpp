@@ -220,6 +220,25 @@ TEST(Differences, of_denotations_and_files_count_between_two_configurations_only
     EXPECT_TRUE(differences({a}, {b, &node}).same());
 }
 
+// A name in Latin-1 is the same as that name in UTF-8, and can be read.
+TEST(Differences, of_names_are_those_that_can_be_seen) {
+    Dictionary a;
+    Object& object = a.objects.emplace_back();
+    object.index = 0x2000;
+    object.variables.emplace_back().name =
+        "5 \xB0"
+        "C";
+    Dictionary b = a;
+    b.objects[0].variables[0].name =
+        "5 \xC2\xB0"
+        "C";
+    EXPECT_TRUE(differences({a}, {b}).same());
+    b.objects[0].variables[0].name = "5 K";
+    EXPECT_EQ(told(differences({a}, {b})),
+              "2000 name: 5 \xC2\xB0"
+              "C -> 5 K\n");
+}
+
 // An object with one value may have links as well.
 TEST(Differences, tell_links_of_objects_without_sub_objects) {
     Dictionary a;
