@@ -18,6 +18,8 @@ std::size_t sub_objects_of(const Group& group);
 
 // PDOs for NrOfRXPDO and NrOfTXPDO; nothing for other keys. information.cpp
 std::optional<std::size_t> described_pdos(const Context& context, std::string_view key);
+// A PDO is listed or has a mapping, and its section is missing: then the number may be right.
+bool lacks_pdos(const Context& context, std::string_view key);
 
 // What 1018h holds for VendorNumber, ProductNumber, RevisionNumber; nothing where that is not stated.
 std::optional<std::uint64_t> identity_number(const Context& context, std::string_view key);

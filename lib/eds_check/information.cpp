@@ -52,6 +52,13 @@ struct PdoCount {
 constexpr std::array pdo_counts{PdoCount{"NrOfRXPDO", receive_communication, "receive"},
                                 PdoCount{"NrOfTXPDO", transmit_communication, "transmit"}};
 
+const PdoCount* find_pdo_count(std::string_view key) {
+    const auto* const row = std::find_if(pdo_counts.begin(), pdo_counts.end(), [key](const PdoCount& each) {
+        return base::equal_ignoring_case(each.key, key);
+    });
+    return row != pdo_counts.end() ? row : nullptr;
+}
+
 std::string cut(std::string_view text) {
     constexpr std::size_t longest = 60;
     return base::printable(text.substr(0, longest));
@@ -77,16 +84,31 @@ void check_text_keys(const Context& context, const diagnostic::Rule& rule,
 }  // namespace
 
 std::optional<std::size_t> described_pdos(const Context& context, std::string_view key) {
-    const auto* const row = std::find_if(pdo_counts.begin(), pdo_counts.end(), [key](const PdoCount& each) {
-        return each.key.size() == key.size() && base::equal_ignoring_case(each.key, key);
-    });
-    if (row == pdo_counts.end()) {
+    const PdoCount* const row = find_pdo_count(key);
+    if (row == nullptr) {
         return std::nullopt;
     }
     const std::span<const Group> groups = context.model.groups();
     return static_cast<std::size_t>(std::count_if(groups.begin(), groups.end(), [&](const Group& group) {
         return group.has_section && row->range.contains(group.index);
     }));
+}
+
+bool lacks_pdos(const Context& context, std::string_view key) {
+    constexpr unsigned mapping_offset = 0x200;
+    const PdoCount* const row = find_pdo_count(key);
+    const auto is_missing = [&](unsigned index) {
+        return row != nullptr && row->range.contains(static_cast<std::uint16_t>(index)) &&
+               context.model.find(
+                   {.kind = SectionKind::object, .index = static_cast<std::uint16_t>(index)}) == nullptr;
+    };
+    const std::span<const Listed> listed = context.model.listed();
+    const std::span<const Group> groups = context.model.groups();
+    return std::any_of(listed.begin(), listed.end(),
+                       [&](const Listed& each) { return is_missing(each.index); }) ||
+           std::any_of(groups.begin(), groups.end(), [&](const Group& group) {
+               return group.index >= mapping_offset && is_missing(group.index - mapping_offset);
+           });
 }
 
 std::optional<std::uint64_t> identity_number(const Context& context, std::string_view key) {

@@ -99,9 +99,18 @@ std::optional<Repair> unlist(const Context& context, const Span& place) {
 
 std::optional<Repair> mend_sub_number(const Context& context, const Span& place) {
     const Found found = part_at(context, place.line);
-    return found.part == nullptr
-               ? std::nullopt
-               : std::optional(restated(context, place, fmt::format("{}", sub_objects_of(*found.group))));
+    if (found.part == nullptr) {
+        return std::nullopt;
+    }
+    // Where sub-object 0 says the same, a section is missing, and the number may be right.
+    const std::size_t count = sub_objects_of(*found.group);
+    const Part* const first = found.group->find(0);
+    const auto highest = first != nullptr ? number_of(first->variable) : std::nullopt;
+    const auto said = context.number(place.line);
+    if (highest && said && *said > count && *said == *highest + 1) {
+        return std::nullopt;
+    }
+    return restated(context, place, fmt::format("{}", count));
 }
 
 std::optional<Repair> state_sub_number(const Context& context, const Span& place) {
@@ -152,7 +161,8 @@ std::optional<Repair> mend_standard_code(const Context& context, const Span& pla
 }
 
 std::optional<Repair> mend_pdo_count(const Context& context, const Span& place) {
-    const auto count = described_pdos(context, context.document.key(place.line));
+    const std::string_view key = context.document.key(place.line);
+    const auto count = lacks_pdos(context, key) ? std::nullopt : described_pdos(context, key);
     return count ? std::optional(restated(context, place, fmt::format("{}", *count))) : std::nullopt;
 }
 

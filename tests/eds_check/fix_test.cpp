@@ -157,6 +157,19 @@ TEST(Fix, repairs_nothing_where_it_is_not_certain_what_the_sheet_says) {
     }
 }
 
+// The number is right, and a section is missing.
+TEST(Fix, leaves_numbers_alone_that_something_else_in_the_sheet_confirms) {
+    const std::string sub_missing =
+        "[2000]\nParameterName=A\nObjectType=0x8\nSubNumber=3\n"
+        "[2000sub0]\nParameterName=Highest\nDataType=0x0005\nAccessType=ro\nDefaultValue=2\n"
+        "[2000sub1]\nParameterName=One\nDataType=0x0005\nAccessType=ro\n";
+    EXPECT_EQ(fixed_of(sub_missing).text.find("SubNumber=2"), std::string::npos);
+    const std::string pdo_missing =
+        "[DeviceInfo]\nNrOfRXPDO=1\n[OptionalObjects]\nSupportedObjects=1\n1=0x1400\n";
+    EXPECT_NE(fixed_of(pdo_missing).text.find("NrOfRXPDO=1"), std::string::npos);
+    EXPECT_NE(fixed_of("[DeviceInfo]\nNrOfRXPDO=1\n").text.find("NrOfRXPDO=0"), std::string::npos);
+}
+
 TEST(Fix, writes_only_file_names_that_an_eds_can_hold) {
     const std::string text = test::data_sheet_with("[FileInfo]\nFileName=other.eds\n");
     for (const std::string_view name : {"a;b.eds", "ger\xC3\xA4t.eds", " a.eds", "a\nb.eds"}) {
