@@ -11,6 +11,7 @@
 #include "cli/cgw/exit_codes.hpp"
 #include "cli/cgw/terminal.hpp"
 #include "config/numbers.hpp"
+#include "facts/gateway.hpp"
 #include "facts/identifiers.hpp"
 #include "network/same_device.hpp"
 
@@ -56,11 +57,13 @@ Change change_of(const std::string& text) {
     std::string value = sign == std::string::npos ? "" : text.substr(sign + 1);
     Change change{.text = text};
     if (name == "baud") {
-        const double kbit = number_within("--what-if baud", value, 1, 1000);
-        if (kbit != std::floor(kbit)) {
-            throw UsageError(fmt::format("--what-if {}: a whole number of kbit/s", text));
+        const auto& rates = facts::bit_rates_kbit;
+        const std::optional<std::int64_t> kbit = base::parse_integer(value);
+        if (!kbit || std::find(rates.begin(), rates.end(), *kbit) == rates.end()) {
+            throw UsageError(fmt::format("--what-if baud: '{}' is no bit rate of 426 CanOpenBaudrate: {}",
+                                         value, fmt::join(rates, ", ")));
         }
-        change.bit_rate = static_cast<std::uint32_t>(kbit) * 1000;
+        change.bit_rate = static_cast<std::uint32_t>(*kbit) * 1000;
         return change;
     }
     const std::optional<std::int64_t> tpdo =
@@ -112,7 +115,12 @@ NetworkOptions network_options(const Arguments& arguments) {
     options.jitter_us = microseconds(arguments, "--jitter");
     options.bands = bands_of(arguments.value("--bands"));
     for (const std::string& text : arguments.values("--what-if")) {
-        options.changes.push_back(change_of(text));
+        Change change = change_of(text);
+        if (std::any_of(options.changes.begin(), options.changes.end(),
+                        [&](const Change& other) { return other.tpdo == change.tpdo; })) {
+            throw UsageError(fmt::format("--what-if: {} is given twice", text.substr(0, text.find('='))));
+        }
+        options.changes.push_back(std::move(change));
     }
     options.target = number_within("--target", arguments.value("--target"), 1, 100) / 100;
     return options;

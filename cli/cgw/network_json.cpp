@@ -93,6 +93,9 @@ std::string network_json(const NetworkReport& report) {
     }
     json.end_array();
     write_texts(json, "not_counted", report.left_out);
+    diagnostic::RenderInput findings;
+    findings.files = report.findings;
+    json.key("findings").json(diagnostic::render_json(findings));
     return json.end_object().take();
 }
 

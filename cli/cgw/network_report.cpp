@@ -32,12 +32,27 @@ std::string time_text(std::uint64_t us) {
     return us == 0 ? "" : base::milliseconds(us);
 }
 
-std::string remark_of(const MessageResult& result) {
+bool is_in_conflict(const NetworkReport& report, std::uint32_t identifier) {
+    return std::any_of(report.map.begin(), report.map.end(), [&](const network::IdentifierRange& range) {
+        return range.use == network::Use::conflict && identifier >= range.first && identifier <= range.last;
+    });
+}
+
+// What is wrong with the message, the worst of it; the findings say all.
+std::string_view trouble_with(const NetworkReport& report, const MessageResult& result) {
+    const network::Message& message = result.message;
+    return is_in_conflict(report, message.identifier) ? "conflict"
+           : message.bytes < message.received_bytes   ? "too short"
+           : network::is_too_slow(message)            ? "too slow"
+           : result.bound == Bound::not_found         ? "no bound found"
+           : result.bounded() && !result.in_time()    ? "too late"
+                                                      : "";
+}
+
+std::string remark_of(const NetworkReport& report, const MessageResult& result) {
     std::vector<std::string_view> remarks;
-    if (result.bound == Bound::not_found) {
-        remarks.emplace_back("no bound found");
-    } else if (result.bounded() && !result.in_time()) {
-        remarks.emplace_back("too late");
+    if (const std::string_view trouble = trouble_with(report, result); !trouble.empty()) {
+        remarks.push_back(trouble);
     }
     if (result.message.assumed) {
         remarks.emplace_back("assumed");
@@ -116,7 +131,7 @@ explain::Table network_table(const NetworkReport& report) {
              std::to_string(message.bytes), time_text(message.period_us), time_text(message.jitter_us),
              percent(result.load.average, 2), percent(result.load.worst, 2), response_text(result),
              time_text(message.deadline_us), before != nullptr ? time_text(before->message.period_us) : "",
-             before != nullptr ? response_text(*before) : "", remark_of(result)});
+             before != nullptr ? response_text(*before) : "", remark_of(report, result)});
     }
     return table;
 }

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "diagnostic/renderers.hpp"
 #include "explain/table.hpp"
 #include "network/analysis.hpp"
 #include "network/identifier_map.hpp"
@@ -20,7 +21,8 @@ struct NetworkReport {
     std::vector<std::string> changes;         // the what-ifs, as typed
     std::vector<network::IdentifierRange> map;
     std::vector<std::string> left_out;
-    bool fails = false;  // a finding says so
+    std::vector<diagnostic::FileReport> findings;  // about the bus, by file
+    bool fails = false;                            // a finding says so
     bool fails_before = false;
 };
 

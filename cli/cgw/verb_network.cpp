@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <map>
 
 #include "cli/cgw/exit_codes.hpp"
@@ -80,24 +81,32 @@ constexpr std::string_view network_details =
     "--suggest moves identifiers that two have to free ones (680h to 6DFh first),\n"
     "then raises the bit rate of all plants, then doubles the cycles of the TPDOs\n"
     "that take most. Apply with patch -p0, after reading it: other nodes must follow.\n"
+    "patch takes paths in the directory where it runs, and so does --suggest.\n"
     "Exit code 1 when a message has no bound or misses its deadline, when the load is\n"
     "beyond the last band, or when two send one identifier.\n";
 
-void report(const Arguments& arguments, const BusMembers& members, diagnostic::Findings& findings) {
+std::vector<diagnostic::FileReport> by_file(diagnostic::Findings& findings) {
     findings.sort();
     std::map<std::string, std::vector<diagnostic::Diagnostic>> by_path;
     for (const diagnostic::Diagnostic& finding : findings.all()) {
         by_path[finding.where.path].push_back(finding);
     }
-    diagnostic::RenderInput input;
+    std::vector<diagnostic::FileReport> files;
     for (auto& [path, own] : by_path) {
-        input.files.push_back({path, std::move(own)});
+        files.push_back({path, std::move(own)});
     }
+    return files;
+}
+
+void report(const Arguments& arguments, const BusMembers& members,
+            const std::vector<diagnostic::FileReport>& findings) {
+    diagnostic::RenderInput input;
+    input.files = findings;
     for (const driver::CheckedFile& file : members.plants) {
         input.sources.insert(file.sources.begin(), file.sources.end());
     }
     input.color = use_color(arguments, stderr);
-    if (!findings.all().empty()) {
+    if (!findings.empty()) {
         report_findings(input);
     }
 }
@@ -124,6 +133,19 @@ std::string rendered(const Arguments& arguments, const NetworkReport& bus) {
     return explain::find_table_format(format)->render(network_table(bus));
 }
 
+// patch changes files below the directory in which it runs, and no others.
+void refuse_paths_outside(const std::vector<std::string>& paths) {
+    for (const std::string& text : paths) {
+        const std::filesystem::path path(text);
+        if (path.is_absolute() || std::find(path.begin(), path.end(), "..") != path.end()) {
+            throw UsageError(
+                fmt::format("--suggest: patch refuses to change '{}': run cgw in the directory of "
+                            "the files, with paths that lie in it",
+                            text));
+        }
+    }
+}
+
 void refuse_contradictions(const Arguments& arguments) {
     const bool suggests = arguments.given("--suggest");
     for (const std::string_view key : {"--what-if", "--format", "--map"}) {
@@ -140,6 +162,9 @@ void refuse_contradictions(const Arguments& arguments) {
     if (suggests && std::find(inputs.begin(), inputs.end(), "-") != inputs.end()) {
         throw UsageError("--suggest: a patch needs files with names, not standard input");
     }
+    if (suggests) {
+        refuse_paths_outside(inputs);
+    }
     for (const NodeOption& node : node_options(arguments)) {
         inputs.push_back(node.path);
     }
@@ -155,7 +180,7 @@ int run_suggest(const Arguments& arguments, const NetworkOptions& options, BusMe
     const Suggestion suggestion = suggest(members, options, arguments.given("--keep-rate"), ask);
     if (!suggestion.reached) {
         network::Judged judged = judge(members, options);
-        report(arguments, members, judged.findings);
+        report(arguments, members, by_file(judged.findings));
         print_error(fmt::format("nothing that --suggest may change brings the load below {} %",
                                 arguments.value("--target")));
         return exit_findings;
@@ -193,7 +218,8 @@ int run_network(const Arguments& arguments) {
         }
     }
     network::Judged judged = judge(members, options);
-    report(arguments, members, judged.findings);
+    bus.findings = by_file(judged.findings);
+    report(arguments, members, bus.findings);
     if (!judged.analysis) {
         return exit_findings;
     }

@@ -80,7 +80,7 @@ void judge_times(const Analysis& analysis, Findings& findings) {
     Listed slow(findings, rules::message_too_slow);
     for (const MessageResult& result : analysis.messages) {
         const Message& message = result.message;
-        if (message.monitored_us != 0 && !message.assumed && message.period_us >= message.monitored_us) {
+        if (is_too_slow(message)) {
             slow.report(message.where, fmt::format("{} is sent every {}, and its receiver waits for {} only",
                                                    label_of(message), milliseconds_text(message.period_us),
                                                    milliseconds_text(message.monitored_us)));
@@ -142,6 +142,10 @@ Location place_of(const parameter::Settings& settings, std::uint16_t number) {
 }
 
 }  // namespace
+
+bool is_too_slow(const Message& message) {
+    return message.monitored_us != 0 && !message.assumed && message.period_us >= message.monitored_us;
+}
 
 Band band_of(double load, const Bands& bands) {
     return load <= bands.comfortable ? Band::comfortable

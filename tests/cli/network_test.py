@@ -16,6 +16,7 @@ CGW = os.environ["CGW"]
 SAMPLES = pathlib.Path(os.environ["CGW_SAMPLES"])
 DATA = pathlib.Path(os.environ["CGW_TEST_DATA"])
 SCHEMA = json.loads((SAMPLES.parent / "schemas" / "network-report.schema.json").read_text())
+CHECK_SCHEMA = json.loads((SAMPLES.parent / "schemas" / "check-report.schema.json").read_text())
 GENSET = SAMPLES / "genset.toml"
 
 FULL = """format = 1
@@ -68,6 +69,8 @@ class Network(unittest.TestCase):
         document = json.loads(result.stdout)
         jsonschema.validate(document, SCHEMA)
         self.assertEqual(document["works"], code == 0)
+        jsonschema.validate(document["findings"], CHECK_SCHEMA)
+        self.assertEqual(document["findings"]["valid"], code == 0)
         return document
 
     def message(self, document, identifier):
@@ -242,6 +245,25 @@ class Network(unittest.TestCase):
         words = " ".join(self.run_cgw("full.toml", code=1).stderr.split())
         self.assertIn("help: send it and what is above it less often, or raise the bit rate", words)
 
+    def test_the_document_says_why_it_does_not_work(self):
+        self.assertEqual(self.report(GENSET)["findings"]["files"], [])
+        rows = ("[[network.message]]\nid = 0x30C\nbytes = 4\nperiod_ms = 600\n"
+                "[[network.message]]\nid = 0x48C\nbytes = 8\nperiod_ms = 600\n"
+                "[[network.message]]\nid = 0x40C\nbytes = 8\nperiod_ms = 2000\n")
+        self.write("rows.toml", GENSET.read_text() + rows)
+        file, = self.report("rows.toml", code=1)["findings"]["files"]
+        self.assertEqual(file["path"], "rows.toml")
+        codes = [finding["code"] for finding in file["diagnostics"]]
+        self.assertEqual(sorted(codes), ["E1101", "E1110", "E1112", "E1112"])
+        stderr = self.run_cgw("rows.toml", "--format", "json", code=1).stderr
+        self.assertTrue(all(code in stderr for code in codes))
+        remarks = {row["identifier"]: row["remark"] for row in
+                   csv.DictReader(io.StringIO(self.run_cgw("rows.toml", "--format", "csv", code=1).stdout))}
+        self.assertEqual([remarks[i] for i in ("30Ch", "48Ch", "40Ch", "680h")],
+                         ["too short", "conflict", "too slow", ""])
+        for line in self.run_cgw("rows.toml", code=1).stdout.splitlines():
+            self.assertLessEqual(len(line), 80)
+
     def test_what_if(self):
         document = self.report(GENSET, "--what-if", "baud=125", "--what-if", "TPDO5=100ms")
         self.assertEqual(document["what_if"], ["baud=125", "TPDO5=100ms"])
@@ -253,8 +275,12 @@ class Network(unittest.TestCase):
         self.assertIn("with baud=125, it will work: 125 kbit/s", text)
         self.write("full.toml", plant())
         self.run_cgw("full.toml", "--what-if", "baud=500", code=0)
-        for change in ("baud=0", "baud=2000", "baud=12.5", "TPDO3=5", "TPDO17=5", "TPDO5=0", "TPDO5=x", "x", "TPDO5"):
+        for change in ("baud=0", "baud=333", "baud=20", "baud=", "baud=2000", "baud=12.5", "TPDO3=5", "TPDO17=5", "TPDO5=0", "TPDO5=x", "x", "TPDO5"):
             self.assertIn("--what-if", self.run_cgw(GENSET, "--what-if", change, code=2).stderr)
+        for change in ("baud=125", "TPDO5=100"):
+            again = self.run_cgw(GENSET, "--what-if", change, "--what-if", change, code=2)
+            self.assertIn("is given twice", again.stderr)
+        self.run_cgw(GENSET, "--what-if", "TPDO4=100", "--what-if", "TPDO5=100ms", code=0)
         self.assertIn("no plant sends TPDO16", self.run_cgw(GENSET, "--what-if", "TPDO16=100", code=2).stderr)
 
     def test_a_rate_set_by_hand(self):
@@ -293,8 +319,20 @@ class Network(unittest.TestCase):
         self.assertEqual([r for r in document["identifiers"] if r["use"] == "conflict"], [])
         self.assertIn("# first", (self.dir / "c.toml").read_text())
 
+    def test_suggest_refuses_paths_that_patch_refuses(self):
+        self.write("full.toml", plant())
+        (self.dir / "below").mkdir()
+        self.write("below/full.toml", plant())
+        for path in (self.dir / "full.toml", "../full.toml", "below/../full.toml"):
+            result = self.run_cgw(path, "--suggest", code=2)
+            self.assertIn("run cgw in the directory of the files", " ".join(result.stderr.split()))
+            self.assertEqual(result.stdout, "")
+        self.apply("./full.toml")
+        self.apply("below/full.toml")
+
     def test_suggest_has_nothing_to_do_or_nothing_to_offer(self):
-        result = self.run_cgw(GENSET, "--suggest", code=0)
+        self.write("genset.toml", GENSET.read_text())
+        result = self.run_cgw("genset.toml", "--suggest", code=0)
         self.assertEqual(result.stdout, "")
         self.assertIn("nothing to suggest", result.stderr)
         rows = "".join(f"[[network.message]]\nid = {i}\nperiod_ms = 1\n" for i in range(16, 26))
