@@ -51,16 +51,30 @@ parameter::NetworkMessage& message_of(Context& context) {
     return context.settings().network_messages.back();
 }
 
-std::uint64_t microseconds_of(const Entry& entry) {
-    return static_cast<std::uint64_t>(std::llround(entry.value.real * 1000));
+// cgw counts in whole microseconds: what is finer is not rounded away in silence.
+std::uint64_t microseconds_of(Context& context, const Entry& entry) {
+    const double exact = entry.value.real * 1000;
+    const double whole = std::round(exact);
+    constexpr double binary_noise = 1e-5;  // of 3.6e9 us as a double
+    if (std::abs(exact - whole) > binary_noise) {
+        context.report(
+            rules::key_value, entry.value.range,
+            fmt::format("`{}` is {}, finer than a microsecond (0.001)", entry.key, entry.value.text));
+    }
+    return static_cast<std::uint64_t>(whole);
+}
+
+// One that is above 0.
+std::uint64_t time_of(Context& context, const Entry& entry) {
+    if (entry.value.real == 0) {
+        context.report(rules::key_value, entry.value.range,
+                       fmt::format("`{}` is {}, which is no time", entry.key, entry.value.text));
+    }
+    return microseconds_of(context, entry);
 }
 
 void read_period(Context& context, const Entry& entry) {
-    message_of(context).period_us = microseconds_of(entry);
-    if (message_of(context).period_us == 0) {
-        context.report(rules::key_value, entry.value.range,
-                       fmt::format("`period_ms` is {}, which is no time", entry.value.text));
-    }
+    message_of(context).period_us = time_of(context, entry);
 }
 
 constexpr Key message_keys[] = {
@@ -80,10 +94,12 @@ constexpr Key message_keys[] = {
      [](Context& context, const Entry& entry) { message_of(context).name = entry.value.text; },
      "what it is called in reports"},
     {"jitter_ms", Kind::real, Presence::optional, Limit::value, 0, longest_period_ms,
-     [](Context& context, const Entry& entry) { message_of(context).jitter_us = microseconds_of(entry); },
+     [](Context& context, const Entry& entry) {
+         message_of(context).jitter_us = microseconds_of(context, entry);
+     },
      "how late its sender may be with it, in ms", "0"},
     {"deadline_ms", Kind::real, Presence::optional, Limit::value, 0, longest_period_ms,
-     [](Context& context, const Entry& entry) { message_of(context).deadline_us = microseconds_of(entry); },
+     [](Context& context, const Entry& entry) { message_of(context).deadline_us = time_of(context, entry); },
      "time in ms within which it must be through; without it, its period"},
 };
 constexpr Table message_table{"network.message", message_keys};

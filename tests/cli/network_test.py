@@ -167,12 +167,24 @@ class Network(unittest.TestCase):
     def test_wrong_rows_are_findings_of_the_file(self):
         for row, code in (("id = 2048\nperiod_ms = 1", "E0104"), ("id = 1", "E0103"), ("id = 1\nperiod_ms = 0", "E0104"),
                           ("id = 1\nperiod_ms = -1", "E0104"), ("id = 1\nperiod_ms = 1e300", "E0104"),
-                          ("id = 1\nperiod_ms = nan", "E0104"), ("id = 1\nperiod_ms = \"1\"", "E0102"),
+                          ("id = 1\nperiod_ms = nan", "E0104"), ("id = 1\nperiod_ms = 1.0801", "E0104"),
+                          ("id = 1\nperiod_ms = 1e-4", "E0104"), ("id = 1\nperiod_ms = 1\njitter_ms = 0.0005", "E0104"),
+                          ("id = 1\nperiod_ms = 1\ndeadline_ms = 0", "E0104"),
+                          ("id = 1\nperiod_ms = 1\ndeadline_ms = 0.5001", "E0104"),
+                          ("id = 1\nperiod_ms = \"1\"", "E0102"),
                           ("id = 1\nperiod_ms = 1\nbytes = 9", "E0104"), ("id = 1\nperiod_ms = 1\nperiod = 1", "E0101")):
             self.write("rows.toml", plant(cycle=500) + "[[network.message]]\n" + row + "\n")
             result = self.run_cgw("rows.toml", code=1)
             self.assertEqual(result.stdout, "")
             self.assertIn(code, result.stderr, row)
+
+    def test_times_of_rows_are_whole_microseconds(self):
+        for time_ms in ("1.080", "0.001", "3599999.999", "3600000", "15.625", "0.3", "1e-3", "999999.007"):
+            self.write("rows.toml", plant(cycle=500) + f"[[network.message]]\nid = 0x7F0\nperiod_ms = {time_ms}\n"
+                       f"deadline_ms = {time_ms}\njitter_ms = 0\n")
+            self.run_cgw("rows.toml", verb="check", code=0)
+        self.write("rows.toml", plant(cycle=500) + "[[network.message]]\nid = 1\nperiod_ms = 0\n")
+        self.assertIn("`period_ms` is 0, which is no time", " ".join(self.run_cgw("rows.toml", code=1).stderr.split()))
 
     def test_thousands_of_rows(self):
         rows = "".join(f"[[network.message]]\nid = {i}\nbytes = 8\nperiod_ms = {2000 + i}.125\n"
