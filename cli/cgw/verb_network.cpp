@@ -92,6 +92,7 @@ std::vector<diagnostic::FileReport> by_file(diagnostic::Findings& findings) {
         by_path[finding.where.path].push_back(finding);
     }
     std::vector<diagnostic::FileReport> files;
+    files.reserve(by_path.size());
     for (auto& [path, own] : by_path) {
         files.push_back({path, std::move(own)});
     }

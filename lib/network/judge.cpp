@@ -16,7 +16,6 @@ namespace {
 
 namespace rules = diagnostic::rules;
 using base::milliseconds_text;
-using diagnostic::Diagnostic;
 using diagnostic::Findings;
 using diagnostic::Location;
 
