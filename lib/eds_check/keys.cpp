@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <array>
+#include <string>
 
 #include "base/ascii.hpp"
+#include "dictionary/data_types.hpp"
 
 namespace cgw::eds_check {
 namespace {
@@ -137,7 +139,8 @@ bool is_tail(Tail tail, std::string_view text) {
         case Tail::number:
             return base::consists_of(text, base::digits);
         case Tail::type_number:
-            return text.size() == type_digits && base::consists_of(text, base::hexadecimal_digits);
+            return text.size() == type_digits && base::consists_of(text, base::hexadecimal_digits) &&
+                   dictionary::find_type(std::stoul(std::string(text), nullptr, 16)) != nullptr;
     }
     return false;
 }

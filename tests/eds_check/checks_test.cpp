@@ -145,6 +145,15 @@ TEST(CheckFindings, of_one_kind_are_counted_beyond_a_hundred) {
     EXPECT_EQ(findings.all().front().message, "50 more findings of this kind are not told one by one");
 }
 
+TEST(CheckFindings, tell_dummies_that_are_no_data_type) {
+    for (const std::string_view key : {"Dummy00FF", "Dummy0000", "Dummyabcd", "Dummy5"}) {
+        const diagnostic::Findings findings = checked_with(fmt::format("[DummyUsage]\n{}=1\n", key));
+        ASSERT_EQ(findings.all().size(), 1U) << key;
+        EXPECT_EQ(findings.all().front().rule->name, "eds-key-unknown");
+    }
+    EXPECT_TRUE(checked_with("[DummyUsage]\nDummy0005=1\nDummy001B=1\n").all().empty());
+}
+
 TEST(CheckFindings, are_none_of_bytes_that_are_no_sheet) {
     for (const std::string& bytes :
          {std::string(), std::string("\xFF\xFE[\0", 4), std::string("no section")}) {
