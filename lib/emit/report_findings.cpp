@@ -13,7 +13,6 @@ namespace cgw::emit {
 namespace {
 
 using diagnostic::Diagnostic;
-using diagnostic::Level;
 using page::Tone;
 
 constexpr std::array<Tone, 3> tones{Tone::bad, Tone::warning, Tone::plain};  // of error, warning, note

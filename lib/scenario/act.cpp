@@ -107,6 +107,7 @@ std::span<const Word> source_words() {
 std::span<const Word> command_words() {
     static const std::vector<Word> words = [] {
         std::vector<Word> all;
+        all.reserve(canopen::nmt_commands.size());
         for (const canopen::NmtCommandWords& row : canopen::nmt_commands) {
             all.push_back({row.word, ""});
         }
