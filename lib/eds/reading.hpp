@@ -134,7 +134,7 @@ inline constexpr std::uint64_t highest_u32 = 0xFFFFFFFF;
 
 // The parts of the reader; each in the file of its name.
 
-void judge_free_keys(Reading& reading);  // judge_keys.cpp
+void judge_free_keys(Reading& reading);                                           // judge_keys.cpp
 void read_file_information(Reading& reading, dictionary::FileInformation& file);  // read_information.cpp
 void read_device_information(Reading& reading, dictionary::DeviceInformation& device);
 void read_dummy_usage(Reading& reading, std::vector<std::uint8_t>& dummies);

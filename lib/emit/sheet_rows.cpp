@@ -35,8 +35,7 @@ const std::string_view tables_remark =
     "The table \"set these\" holds only what differs from the default: it is enough for a device whose other "
     "values are 0. Into any other device type the table \"all that concern CANopen\".";
 
-const std::string_view defaults_remark =
-    "Default 0 is an assumption: the manuals print no defaults.";
+const std::string_view defaults_remark = "Default 0 is an assumption: the manuals print no defaults.";
 
 namespace {
 
