@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 
 #include "cli/cgw/exit_codes.hpp"
 #include "cli/cgw/frames_input.hpp"
@@ -121,6 +122,10 @@ class LogDecoder {
     }
 
     const traffic::Audit& audit() const { return audit_; }
+    // Interfaces of which frames are in the log, where none is of the wanted one; "".
+    std::string other_interfaces() const {
+        return audit_.frames() == 0 ? fmt::format("{}", fmt::join(others_, ", ")) : "";
+    }
     bool end(std::span<const diagnostic::Diagnostic> findings) {
         text_ += format_.foot(audit_, findings);
         return flush(0);
@@ -138,8 +143,14 @@ class LogDecoder {
         return fine;
     }
 
-    bool is_wanted(const media::LogReader::Item& item) const {
-        return wanted_.interface_name.empty() || item.logged.interface_name == wanted_.interface_name;
+    bool is_wanted(const media::LogReader::Item& item) {
+        constexpr std::size_t most_others = 8;
+        const std::string& name = item.logged.interface_name;
+        const bool wanted = wanted_.interface_name.empty() || name == wanted_.interface_name;
+        if (!wanted && others_.size() < most_others) {
+            others_.insert(name);
+        }
+        return wanted;
     }
 
     void take(const media::LogReader::Item& item) {
@@ -164,6 +175,7 @@ class LogDecoder {
     traffic::Audit audit_;
     const traffic::Format& format_;
     Wanted wanted_;
+    std::set<std::string> others_;  // interfaces whose frames are not wanted, some of them
     std::string text_;
 };
 
@@ -180,6 +192,10 @@ int decode_log(const Arguments& arguments, const traffic::Subject& subject) {
         return exit_code;
     }
     const diagnostic::Findings findings = log.audit().findings(path);
+    if (const std::string others = log.other_interfaces(); !others.empty()) {
+        print_error(fmt::format("no frame is of interface {}; this log has frames of {}",
+                                arguments.value("--interface"), others));
+    }
     if (!log.end(findings.all())) {
         return exit_environment;
     }

@@ -182,7 +182,7 @@ int run_suggest(const Arguments& arguments, const NetworkOptions& options, BusMe
     if (!suggestion.reached) {
         network::Judged judged = judge(members, options);
         report(arguments, members, by_file(judged.findings));
-        print_error(fmt::format("nothing that --suggest may change brings the load below {} %",
+        print_error(fmt::format("nothing that --suggest may change makes the bus work with a load below {} %",
                                 arguments.value("--target")));
         return exit_findings;
     }

@@ -34,6 +34,15 @@ SendType type_of(std::string_view value, const std::vector<std::string_view>& wo
     return words.empty() ? type_numbered(place, send_types) : type_numbered(place, words);
 }
 
+// Tools count StandardCAN as 0 where the file defines no words.
+bool is_standard(std::string_view value, const std::vector<std::string_view>& words) {
+    const auto number = base::parse_integer(value);
+    if (number && *number >= 0 && static_cast<std::uint64_t>(*number) < words.size()) {
+        value = words[static_cast<std::size_t>(*number)];
+    }
+    return value.empty() || value == "0" || base::equal_ignoring_case(value, "StandardCAN");
+}
+
 }  // namespace
 
 void Attributes::apply(std::vector<Message>& messages) const {
@@ -44,6 +53,9 @@ void Attributes::apply(std::vector<Message>& messages) const {
         const auto type = send_types.find(message.identifier);
         message.send_type =
             type_of(type != send_types.end() ? type->second : default_send_type, send_type_words);
+        const auto format = frame_formats.find(message.identifier);
+        message.standard_format = is_standard(
+            format != frame_formats.end() ? format->second : default_frame_format, frame_format_words);
     }
 }
 

@@ -22,6 +22,11 @@ struct Attributes {
     std::string_view default_send_type;
     std::vector<std::string_view> send_type_words;  // empty: as this program prints them
 
+    // Likewise, of VFrameFormat.
+    std::map<std::uint32_t, std::string_view> frame_formats;
+    std::string_view default_frame_format;
+    std::vector<std::string_view> frame_format_words;
+
     void apply(std::vector<Message>& messages) const;
 };
 

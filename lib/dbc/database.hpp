@@ -50,6 +50,7 @@ struct Message {
     std::string comment;
     SendType send_type = SendType::not_stated;
     std::optional<std::uint32_t> cycle_ms;  // 1..65535; none: not stated
+    bool standard_format = true;            // 11 bits, as VFrameFormat has it
 };
 
 struct Database {

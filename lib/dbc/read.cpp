@@ -114,6 +114,8 @@ class Reader {
         const Token& keyword = tokens_.all[next_++];
         if (keyword.text == "VERSION" && is_next(TokenKind::text)) {
             database_.version = peek()->text;
+        } else if (keyword.text == "BU_" && peek() != nullptr && peek()->text == ":") {
+            read_nodes();
         } else if (keyword.text == "BO_") {
             read_message();
         } else if (keyword.text == "SG_") {
@@ -126,6 +128,14 @@ class Reader {
             read_attribute();
         } else if (keyword.text == "VAL_" && is_next(TokenKind::number)) {
             read_values();
+        }
+    }
+
+    void read_nodes() {
+        take_sign(":");
+        while (is_next(TokenKind::word) && !peek()->begins_line) {
+            database_.nodes.emplace_back().name = peek()->text;
+            ++next_;
         }
     }
 
@@ -222,12 +232,15 @@ class Reader {
     // BA_DEF_ BO_ "GenMsgSendType" ENUM "Cyclic","Spontaneous": values may count these words.
     void read_definition() {
         ++next_;
-        if (take(TokenKind::text, "the name of an attribute").text != send_type_attribute) {
+        const std::string_view name = take(TokenKind::text, "the name of an attribute").text;
+        if (name != send_type_attribute && name != frame_format_attribute) {
             return;
         }
+        auto& words =
+            name == send_type_attribute ? attributes_.send_type_words : attributes_.frame_format_words;
         while (peek() != nullptr && !peek()->begins_line) {
             if (is_next(TokenKind::text)) {
-                attributes_.send_type_words.push_back(peek()->text);
+                words.push_back(peek()->text);
             }
             ++next_;
         }
@@ -235,9 +248,11 @@ class Reader {
 
     std::uint32_t take_cycle_time() { return take_natural("a cycle time in ms", 0x7FFFFFFF); }
 
-    std::string_view take_send_type() {
-        return take(is_next(TokenKind::text) ? TokenKind::text : TokenKind::number, "a send type").text;
+    std::string_view take_word(std::string_view wanted) {
+        return take(is_next(TokenKind::text) ? TokenKind::text : TokenKind::number, wanted).text;
     }
+    std::string_view take_send_type() { return take_word("a send type"); }
+    std::string_view take_frame_format() { return take_word("a frame format"); }
 
     void read_default() {
         const std::string_view name = take(TokenKind::text, "the name of an attribute").text;
@@ -245,12 +260,15 @@ class Reader {
             attributes_.default_cycle_time = take_cycle_time();
         } else if (name == send_type_attribute) {
             attributes_.default_send_type = take_send_type();
+        } else if (name == frame_format_attribute) {
+            attributes_.default_frame_format = take_frame_format();
         }
     }
 
     void read_attribute() {
         const std::string_view name = take(TokenKind::text, "the name of an attribute").text;
-        const bool is_known = name == cycle_time_attribute || name == send_type_attribute;
+        const bool is_known =
+            name == cycle_time_attribute || name == send_type_attribute || name == frame_format_attribute;
         if (!is_known || peek() == nullptr || peek()->text != "BO_") {
             return;
         }
@@ -258,6 +276,8 @@ class Reader {
         const std::uint32_t identifier = take_natural("the identifier of a message", ~std::uint32_t{0});
         if (name == cycle_time_attribute) {
             attributes_.cycle_times[identifier] = take_cycle_time();
+        } else if (name == frame_format_attribute) {
+            attributes_.frame_formats[identifier] = take_frame_format();
         } else {
             attributes_.send_types[identifier] = take_send_type();
         }

@@ -10,6 +10,7 @@ inline constexpr std::string_view nobody = "Vector__XXX";  // stands for a node 
 
 inline constexpr std::string_view cycle_time_attribute = "GenMsgCycleTime";
 inline constexpr std::string_view send_type_attribute = "GenMsgSendType";
+inline constexpr std::string_view frame_format_attribute = "VFrameFormat";
 
 // Values of the attribute GenMsgSendType, in the order of SendType.
 inline constexpr std::array<std::string_view, 3> send_types{"Cyclic", "Spontaneous", "NoMsgSendType"};

@@ -32,6 +32,8 @@ constexpr MessageRow message_rows[] = {
     {"message-sender", "sender", [](const Message& m) { return m.sender; }},
     {"message-send-type", "send type",
      [](const Message& m) { return std::string(send_type_texts[static_cast<std::size_t>(m.send_type)]); }},
+    {"message-format", "frame format",
+     [](const Message& m) { return std::string(m.standard_format ? "standard" : "extended"); }},
     {"message-length", "length, bytes", [](const Message& m) { return fmt::format("{}", m.length); }},
     {"message-cycle", "cycle time, ms",
      [](const Message& m) {
@@ -86,6 +88,11 @@ class Comparer {
         : expected_(expected), found_(found), gateway_(gateway) {}
 
     dictionary::Differences run() {
+        for (const dbc::Node& node : expected_.nodes) {
+            const bool is_there = std::any_of(found_.nodes.begin(), found_.nodes.end(),
+                                              [&](const dbc::Node& each) { return each.name == node.name; });
+            add("node", "node", "list of nodes", node.name, is_there ? node.name : "missing");
+        }
         for (const Message& message : expected_.messages) {
             const auto same = find(found_, message.identifier);
             if (same == nullptr) {

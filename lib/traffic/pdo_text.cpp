@@ -72,7 +72,8 @@ std::string pdo_text(const signals::Frame& pdo, std::span<const std::uint8_t> da
         add_set_bits(text, row, pdo, data);
     }
     if (data.size() != pdo.length) {
-        add(text, fmt::format("{} byte{} instead of {}", data.size(), data.size() == 1 ? "" : "s", pdo.length));
+        add(text,
+            fmt::format("{} byte{} instead of {}", data.size(), data.size() == 1 ? "" : "s", pdo.length));
     }
     return base::printable(text);
 }

@@ -327,6 +327,18 @@ class Verify(Case):
         self.assertFalse(document["same"])
         self.assertEqual(document["artefacts"][0]["differences"][0]["aspect"], "vendor-number")
 
+    def test_a_database_with_other_nodes_or_formats_differs(self):
+        text = (self.plants / "genset" / "CANopenGateway.dbc").read_bytes()
+        for old, new, aspect in ((b"BU_: GW12", b"BU_: GW13", "node"),
+                                 (b'BA_ "VFrameFormat" BO_ 396 0;', b'BA_ "VFrameFormat" BO_ 396 1;', "message-format")):
+            self.assertIn(old, text)
+            changed = self.dir / "changed.dbc"
+            changed.write_bytes(text.replace(old, new))
+            result = cgw("verify", GENSET, "--dbc", changed, "--format", "json")
+            self.assertEqual(result.returncode, 1)
+            differences = json.loads(result.stdout)["artefacts"][0]["differences"]
+            self.assertEqual([difference["aspect"] for difference in differences], [aspect])
+
     def test_an_xdd_that_contradicts_itself_fails(self):
         xdd = self.dir / "plant.xdd"
         xdd.write_bytes(cgw("emit", "xdd", GENSET).stdout)

@@ -213,6 +213,9 @@ class DecodeLog(unittest.TestCase):
         self.assertRegex(text, r"TPDO4 +48Ch +\d+ +125 +12\d")
         audit = decode(self.log, "--interface", "can2", "--audit").stdout.decode()
         self.assertTrue(text.endswith(audit))
+        nobody = decode(self.log, "--interface", "can9", "--audit")
+        self.assertEqual(nobody.returncode, 1)
+        self.assertIn("no frame is of interface can9; this log has frames of can1, can2", nobody.stderr.decode())
 
     def test_json_is_a_document_on_each_line(self):
         shown = decode(self.log, "--interface", "can2", "--format", "json")

@@ -110,6 +110,9 @@ TEST(DbcRead, takes_what_other_tools_write) {
     ASSERT_EQ(result.database.messages.size(), 1U);
     const Message& motor = result.database.messages[0];
     EXPECT_EQ(motor.cycle_ms, 20U);
+    EXPECT_TRUE(motor.standard_format);
+    ASSERT_EQ(result.database.nodes.size(), 2U);
+    EXPECT_EQ(result.database.nodes[1].name, "B");
     ASSERT_EQ(motor.signals.size(), 1U);
     EXPECT_TRUE(motor.signals[0].big_endian);
     EXPECT_EQ(motor.signals[0].multiplexing, "m1");
@@ -135,6 +138,18 @@ TEST(DbcRead, send_types_count_the_words_of_the_file_and_have_its_default) {
     EXPECT_EQ(read_text(messages + "BA_ \"GenMsgSendType\" BO_ 1 9;\n").database.messages[0].send_type,
               SendType::other);
     EXPECT_EQ(finding_of(messages + "BA_ \"GenMsgSendType\" BO_ 1 x;\n"), "E1002 4:28");
+}
+
+TEST(DbcRead, frame_formats_count_the_words_of_the_file_or_those_that_all_tools_have) {
+    const auto is_standard = [](const std::string& attributes) {
+        return read_text("BO_ 1 A: 8 N\n" + attributes).database.messages.at(0).standard_format;
+    };
+    EXPECT_TRUE(is_standard("BA_ \"VFrameFormat\" BO_ 1 0;\n"));
+    EXPECT_FALSE(is_standard("BA_ \"VFrameFormat\" BO_ 1 1;\n"));
+    EXPECT_FALSE(is_standard("BA_DEF_DEF_ \"VFrameFormat\" \"ExtendedCAN\";\n"));
+    EXPECT_TRUE(
+        is_standard("BA_DEF_ BO_ \"VFrameFormat\" ENUM \"ExtendedCAN\",\"StandardCAN\";\n"
+                    "BA_ \"VFrameFormat\" BO_ 1 1;\n"));
 }
 
 TEST(DbcRead, tells_where_a_statement_cannot_be_read) {
