@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <vector>
 
 #include "base/ascii.hpp"
@@ -16,13 +15,19 @@ namespace {
 
 namespace rules = diagnostic::rules;
 
+constexpr std::size_t most_digits = 9;
+
 // The keys of all others are known by name, and key_lines() looks at them.
+constexpr std::uint32_t bit_of(SectionKind kind) {
+    return std::uint32_t{1} << static_cast<unsigned>(kind);
+}
+constexpr std::uint32_t with_known_keys =
+    bit_of(SectionKind::unknown) | bit_of(SectionKind::tools) | bit_of(SectionKind::file_info) |
+    bit_of(SectionKind::commissioning) | bit_of(SectionKind::object) | bit_of(SectionKind::sub_object) |
+    bit_of(SectionKind::module_info) | bit_of(SectionKind::module_sub_extension);
+
 bool has_free_keys(SectionKind kind) {
-    constexpr std::array others{SectionKind::unknown,     SectionKind::tools,
-                                SectionKind::file_info,   SectionKind::commissioning,
-                                SectionKind::object,      SectionKind::sub_object,
-                                SectionKind::module_info, SectionKind::module_sub_extension};
-    return std::find(others.begin(), others.end(), kind) == others.end();
+    return (with_known_keys & bit_of(kind)) == 0;
 }
 
 bool is_object_list(SectionKind kind) {
@@ -38,29 +43,55 @@ bool is_entry(const Reading& reading, std::uint32_t line) {
 bool is_free_key(SectionKind kind, std::string_view key) {
     constexpr std::string_view bit_rate = "BaudRate_";
     return kind != SectionKind::device_info ||
-           base::equal_ignoring_case(key.substr(0, bit_rate.size()), bit_rate);
+           (base::lower(key.front()) == 'b' &&
+            base::equal_ignoring_case(key.substr(0, bit_rate.size()), bit_rate));
 }
 
-// A list as tools write it, 1=, 2=, 3=, repeats nothing: nearly all of them need no more than this look.
-bool counts_upwards(const Reading& reading, const Section& section) {
+// A list as tools write it, 1=, 2=, 3=, or Line1=, Line2=, repeats nothing: nearly all of them need no more
+// than this look.
+bool counts_upwards(const Reading& reading, const Section& section, SectionKind kind) {
+    std::string_view last_name;
     std::uint32_t last = 0;
+    bool has_last = false;
     std::size_t others = 0;
     for (std::uint32_t line = section.header + 1; line < section.end; ++line) {
-        const auto number = reading.entry_number(line);
-        if (number && *number <= last) {
+        const std::string_view key = is_entry(reading, line) ? reading.document.key(line) : "";
+        if (key.empty() || !is_free_key(kind, key)) {
+            continue;
+        }
+        std::size_t begin = key.size();
+        while (begin > 0 && base::is_digit(key[begin - 1])) {
+            --begin;
+        }
+        if (begin == key.size()) {
+            if (++others > 1) {
+                return false;
+            }
+            continue;
+        }
+        const std::string_view name = key.substr(0, begin);
+        if (key.size() - begin > most_digits || (has_last && name != last_name)) {
             return false;
         }
-        last = number.value_or(last);
-        others += !number && is_entry(reading, line) ? 1U : 0U;
+        std::uint32_t number = 0;
+        for (const char c : key.substr(begin)) {
+            number = number * 10 + static_cast<std::uint32_t>(c - '0');
+        }
+        if (has_last && number <= last) {
+            return false;
+        }
+        last_name = name;
+        last = number;
+        has_last = true;
     }
-    return others <= 1;
+    return true;
 }
 
 void judge_repeats(Reading& reading, const Section& section, SectionKind kind) {
     const Document& document = reading.document;
     std::vector<std::uint32_t> lines;
     for (std::uint32_t line = section.header + 1; line < section.end; ++line) {
-        if (is_entry(reading, line) && is_free_key(kind, document.key(line))) {
+        if (is_entry(reading, line) && !document.key(line).empty() && is_free_key(kind, document.key(line))) {
             lines.push_back(line);
         }
     }
@@ -84,13 +115,53 @@ void judge_repeats(Reading& reading, const Section& section, SectionKind kind) {
     }
 }
 
+// 0x1018, as nearly every tool writes it.
+bool is_usual_index(std::string_view text) {
+    constexpr std::size_t length = 6;
+    return text.size() == length && text[0] == '0' && text[1] == 'x' &&
+           std::all_of(text.begin() + 2, text.end(), base::is_hexadecimal_digit);
+}
+
+// Numbers upwards with a usual index each, and SupportedObjects in front: most lists, and nothing to judge.
+bool is_usual_list(const Document& document, const Section& section) {
+    const std::string_view text = document.text();
+    std::uint32_t last = 0;
+    bool counted = false;
+    for (std::uint32_t number = section.header + 1; number < section.end; ++number) {
+        const Line& line = document.lines()[number];
+        if (line.kind != LineKind::entry) {
+            continue;
+        }
+        const std::string_view key = text.substr(line.begin, line.mark - line.begin);
+        const std::string_view value = text.substr(line.mark + 1, line.end - line.mark - 1);
+        if (!counted && key == "SupportedObjects" && base::consists_of(value, base::digits)) {
+            counted = true;
+            continue;
+        }
+        std::uint32_t place = 0;
+        for (const char c : key) {
+            if (!base::is_digit(c) || key.size() > most_digits) {
+                return false;
+            }
+            place = place * 10 + static_cast<std::uint32_t>(c - '0');
+        }
+        if (place <= last || !is_usual_index(value)) {
+            return false;
+        }
+        last = place;
+    }
+    return true;
+}
+
 // Readers pass over what is no number, and importers stop there.
 void judge_list_values(Reading& reading, const Section& section) {
     const Document& document = reading.document;
     for (std::uint32_t line = section.header + 1; line < section.end; ++line) {
-        const bool numbered = reading.entry_number(line).has_value();
-        if (!numbered &&
-            !(is_entry(reading, line) && base::equal_ignoring_case(document.key(line), "SupportedObjects"))) {
+        if (!is_entry(reading, line) || is_usual_index(document.value(line))) {
+            continue;
+        }
+        if (!reading.entry_number(line) &&
+            !base::equal_ignoring_case(document.key(line), "SupportedObjects")) {
             continue;
         }
         if (document.value(line).empty()) {
@@ -112,7 +183,10 @@ void judge_free_keys(Reading& reading) {
             continue;
         }
         const Section& section = reading.section(number);
-        if (!counts_upwards(reading, section)) {
+        if (is_object_list(kind) && is_usual_list(reading.document, section)) {
+            continue;
+        }
+        if (!counts_upwards(reading, section, kind)) {
             judge_repeats(reading, section, kind);
         }
         if (is_object_list(kind) && reading.sections.find(kind) == number) {

@@ -104,11 +104,14 @@ std::optional<std::uint32_t> Reading::entry_number(std::uint32_t line) const {
         return std::nullopt;
     }
     const std::string_view key = document.key(line);
-    if (key.size() > most_digits || !base::consists_of(key, base::digits)) {
+    if (key.empty() || key.size() > most_digits) {
         return std::nullopt;
     }
     std::uint32_t number = 0;
     for (const char c : key) {
+        if (!base::is_digit(c)) {
+            return std::nullopt;
+        }
         number = number * 10 + static_cast<std::uint32_t>(c - '0');
     }
     return number;
@@ -227,16 +230,20 @@ std::optional<Value> Reading::octets(std::uint32_t line) {
     return Value{0, false, std::move(*bytes)};
 }
 
+std::optional<Value> Reading::structure(std::uint32_t line, const TypeRow& type) {
+    report(
+        rules::eds_value, document.value_span(line),
+        fmt::format("{}, and {} is a record, which has no value of its own", quoted_value(line), type.name));
+    return std::nullopt;
+}
+
 std::optional<Value> Reading::value(std::uint32_t line, const TypeRow& type) {
     if (line == 0 || document.value(line).empty()) {
         return std::nullopt;
     }
     switch (type.kind) {
         case TypeKind::structure:
-            report(rules::eds_value, document.value_span(line),
-                   fmt::format("{}, and {} is a record, which has no value of its own", quoted_value(line),
-                               type.name));
-            return std::nullopt;
+            return structure(line, type);
         case TypeKind::real:
             return real(line, type);
         case TypeKind::domain:

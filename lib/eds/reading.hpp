@@ -120,6 +120,7 @@ class Reading {
     std::optional<dictionary::Value> numeric(std::uint32_t line, const dictionary::TypeRow& type);
     std::optional<dictionary::Value> real(std::uint32_t line, const dictionary::TypeRow& type);
     std::optional<dictionary::Value> octets(std::uint32_t line);
+    std::optional<dictionary::Value> structure(std::uint32_t line, const dictionary::TypeRow& type);
     std::optional<dictionary::Value> string(std::uint32_t line, const dictionary::TypeRow& type);
 
     const std::string& path_;

@@ -57,21 +57,35 @@ const NameRow* find_row(const std::array<NameRow, size>& rows, std::string_view 
 constexpr std::size_t index_digits = 4;
 
 // All of `text`, which has at most eight digits.
+// By character; no_digit for what is none. Every section name is read with it.
+constexpr std::uint8_t no_digit = 0xFF;
+constexpr auto digit_values = [] {
+    std::array<std::uint8_t, 0x100> values{};
+    values.fill(no_digit);
+    for (std::size_t i = 0; i < 10; ++i) {
+        values[static_cast<std::size_t>('0') + i] = static_cast<std::uint8_t>(i);
+    }
+    for (std::size_t i = 0; i < 6; ++i) {
+        values[static_cast<std::size_t>('a') + i] = static_cast<std::uint8_t>(10 + i);
+        values[static_cast<std::size_t>('A') + i] = static_cast<std::uint8_t>(10 + i);
+    }
+    return values;
+}();
+
 std::optional<std::uint32_t> hexadecimal(std::string_view text) {
     std::uint32_t number = 0;
     for (const char c : text) {
-        if (!base::is_hexadecimal_digit(c)) {
+        const std::uint8_t digit = digit_values[static_cast<std::uint8_t>(c)];
+        if (digit == no_digit) {
             return std::nullopt;
         }
-        const auto digit =
-            static_cast<std::uint32_t>(base::is_digit(c) ? c - '0' : base::lower(c) - 'a' + 10);
         number = number << 4U | digit;
     }
     return number;
 }
 
 bool takes_prefix(std::string_view& text, std::string_view prefix) {
-    if (!base::equal_ignoring_case(text.substr(0, prefix.size()), prefix)) {
+    if (!text.starts_with(prefix) && !base::equal_ignoring_case(text.substr(0, prefix.size()), prefix)) {
         return false;
     }
     text.remove_prefix(prefix.size());
