@@ -174,6 +174,25 @@ void judge_list_values(Reading& reading, const Section& section) {
     }
 }
 
+// The key that says how many entries a section has, where no reader looks at it; "" for other sections.
+std::string_view count_key(SectionKind kind) {
+    switch (kind) {
+        case SectionKind::names:
+        case SectionKind::values:
+        case SectionKind::denotations:
+        case SectionKind::supported_modules:
+        case SectionKind::connected_modules:
+            return "NrOfEntries";
+        case SectionKind::comments:
+        case SectionKind::module_comments:
+            return "Lines";
+        case SectionKind::object_links:
+            return "ObjectLinks";
+        default:
+            return "";
+    }
+}
+
 }  // namespace
 
 void judge_free_keys(Reading& reading) {
@@ -185,6 +204,9 @@ void judge_free_keys(Reading& reading) {
         const Section& section = reading.section(number);
         if (is_object_list(kind) && is_usual_list(reading.document, section)) {
             continue;
+        }
+        if (const std::string_view key = count_key(kind); !key.empty()) {
+            reading.number(reading.document.find(section, key).value_or(0), highest_u16);
         }
         if (!counts_upwards(reading, section, kind)) {
             judge_repeats(reading, section, kind);

@@ -307,6 +307,16 @@ TEST(EdsReader, tells_entries_of_lists_that_are_no_index) {
         "2:18 eds-value\n3:3 eds-value\n4:3 eds-value\n5:3 eds-number-range\n6:3 eds-value\n");
 }
 
+TEST(EdsReader, tells_counts_that_are_no_number) {
+    EXPECT_EQ(Result("[Comments]\nLines=x\n").told(), "2:7 eds-value\n");
+    EXPECT_EQ(Result("[SupportedModules]\nNrOfEntries=x\n").told(), "2:13 eds-value\n");
+    EXPECT_EQ(Result(var("7", "[2000ObjectLinks]\nObjectLinks=x\n")).told(), "7:13 eds-value\n");
+    EXPECT_EQ(Result("[2000]\nParameterName=A\nObjectType=8\nDataType=7\nAccessType=ro\nCompactSubObj=2\n"
+                     "[2000Name]\nNrOfEntries=x\n")
+                  .told(),
+              "8:13 eds-value\n");
+}
+
 TEST(EdsReader, tells_when_a_file_is_no_eds) {
     using namespace std::string_literals;
     EXPECT_EQ(Result("").told(), "0:0 eds-text\n");
