@@ -98,6 +98,14 @@ void read_node(const Arguments& arguments, const NodeOption& option, int device,
             return;
         }
     }
+    network::DescribedNode described{.node_id = option.node_id,
+                                     .offered_kbit = description.dictionary.device.bit_rates_kbit,
+                                     .set_kbit = std::nullopt,
+                                     .where = {option.path, {}}};
+    if (description.commissioning) {
+        described.set_kbit = description.commissioning->bit_rate_kbit;
+    }
+    members.nodes.push_back(std::move(described));
     for (network::Message& message : node.messages) {
         message.plant = device;
     }
@@ -181,9 +189,18 @@ std::vector<network::Member> members_of(const BusMembers& members) {
     return found;
 }
 
+void forget_set_rates(BusMembers& members) {
+    for (network::DescribedNode& node : members.nodes) {
+        node.set_kbit.reset();
+    }
+}
+
 void apply_changes(BusMembers& members, const std::vector<Change>& changes) {
     for (const Change& change : changes) {
         bool found = change.tpdo == 0;
+        if (change.tpdo == 0) {
+            forget_set_rates(members);
+        }
         for (driver::CheckedFile& file : members.plants) {
             config::Configuration& configuration = file.configuration;
             if (change.tpdo == 0) {

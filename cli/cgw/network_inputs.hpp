@@ -40,7 +40,8 @@ std::vector<NodeOption> node_options(const Arguments& arguments);
 
 struct BusMembers {
     std::vector<driver::CheckedFile> plants;
-    std::vector<network::Message> foreign;
+    std::vector<network::DescribedNode> nodes;  // of --node
+    std::vector<network::Message> foreign;      // their messages
     std::vector<std::string> left_out;
     int exit_code = 0;
 };
@@ -54,6 +55,9 @@ std::vector<network::Message> all_messages(const BusMembers& members, const Netw
 
 // The plants as members of the bus.
 std::vector<network::Member> members_of(const BusMembers& members);
+
+// Another bit rate is one for all: no node keeps what its DCF says.
+void forget_set_rates(BusMembers& members);
 
 // What the changes make of the plants; throws UsageError for a TPDO that no plant sends.
 void apply_changes(BusMembers& members, const std::vector<Change>& changes);

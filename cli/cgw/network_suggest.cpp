@@ -83,20 +83,41 @@ class Search {
         return true;
     }
 
-    // One bit rate for all: the highest of them.
+    // Bit rates that no node is without, upwards.
+    std::vector<std::uint16_t> possible_rates() const {
+        std::vector<std::uint16_t> rates(facts::bit_rates_kbit.begin(), facts::bit_rates_kbit.end());
+        std::erase_if(rates, [&](std::uint16_t rate) {
+            return !std::all_of(members_.nodes.begin(), members_.nodes.end(),
+                                [&](const network::DescribedNode& node) { return node.offers(rate); });
+        });
+        return rates;
+    }
+
+    // One bit rate for all: the highest of them, or the next one that all have.
     void level_rates() {
-        std::uint16_t highest = 0;
+        std::uint32_t highest = 0;
         for (const CheckedFile& file : members_.plants) {
-            highest = std::max(highest, file.configuration.can2.bit_rate_kbit);
+            highest = std::max<std::uint32_t>(highest, file.configuration.can2.bit_rate_kbit);
         }
-        set_rate(highest);
+        for (const network::DescribedNode& node : members_.nodes) {
+            highest = std::max(highest, node.set_kbit.value_or(0));
+        }
+        const std::vector<std::uint16_t> rates = possible_rates();
+        if (!rates.empty()) {
+            const auto next = std::lower_bound(rates.begin(), rates.end(), highest);
+            set_rate(next != rates.end() ? *next : rates.back());
+        }
     }
 
     bool raise_rate() {
-        const std::uint16_t now = members_.plants.front().configuration.can2.bit_rate_kbit;
-        const auto* const next = std::find_if(facts::bit_rates_kbit.begin(), facts::bit_rates_kbit.end(),
-                                              [&](std::uint16_t rate) { return rate > now; });
-        return !keep_rate_ && next != facts::bit_rates_kbit.end() && set_rate(*next);
+        const std::vector<std::uint16_t> rates = possible_rates();
+        const auto next = std::upper_bound(rates.begin(), rates.end(),
+                                           members_.plants.front().configuration.can2.bit_rate_kbit);
+        if (keep_rate_ || next == rates.end() || !set_rate(*next)) {
+            return false;
+        }
+        forget_set_rates(members_);
+        return true;
     }
 
     // TPDOs whose identifier somebody else has; the last plant gives way.

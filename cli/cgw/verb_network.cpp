@@ -113,8 +113,8 @@ void report(const Arguments& arguments, const BusMembers& members,
 }
 
 network::Judged judge(const BusMembers& members, const NetworkOptions& options) {
-    network::Judged judged =
-        network::judge_bus(members_of(members), all_messages(members, options), options.bus, options.bands);
+    network::Judged judged = network::judge_bus(members_of(members), members.nodes,
+                                                all_messages(members, options), options.bus, options.bands);
     for (const std::string& left_out : members.left_out) {
         judged.findings.report({.rule = &diagnostic::rules::message_not_counted,
                                 .message = left_out,

@@ -156,7 +156,7 @@ void judge(const Analysis& analysis, std::size_t conflicts, Judgement& judgement
 
 network::Judged judge_network(const Plant& plant) {
     const std::vector<network::Member> members{network::member_of(plant.settings, plant.configuration)};
-    return network::judge_bus(members, network::messages_of(plant.settings, plant.configuration, 0), {}, {});
+    return network::judge_bus(members, {}, network::messages_of(plant.settings, plant.configuration, 0), {}, {});
 }
 
 void add_network(const network::Judged& bus, Blocks& blocks, Judgement& judgement) {

@@ -114,13 +114,14 @@ class Reader {
         if (Outcome<void> checked = check(line, *record); !checked) {
             return checked;
         }
+        const auto address = static_cast<std::uint16_t>(big_endian(std::span(*record).subspan(1, 2)));
         const std::span<const std::uint8_t> bytes = std::span(*record).subspan(data_at, (*record)[0]);
         switch ((*record)[3]) {
             case data:
-                return take_data(line, big_endian(std::span(*record).subspan(1, 2)), bytes);
+                return take_data(line, address, bytes);
             case end_of_file:
                 ended_ = true;
-                file_.end_address = static_cast<std::uint16_t>(big_endian(std::span(*record).subspan(1, 2)));
+                file_.end_address = address;
                 return {};
             case extended_segment:
             case extended_linear:
@@ -128,9 +129,9 @@ class Reader {
                 base_ = std::uint64_t{big_endian(bytes)} << (file_.segmented ? 4U : 16U);
                 return {};
             case start_segment:
-                return take_start(line, file_.start_segment, bytes);
+                return take_start(line, file_.start_segment, {big_endian(bytes), address});
             default:
-                return take_start(line, file_.start_linear, bytes);
+                return take_start(line, file_.start_linear, {big_endian(bytes), address});
         }
     }
 
@@ -143,12 +144,12 @@ class Reader {
         return {};
     }
 
-    static Outcome<void> take_start(const Line& line, std::optional<std::uint32_t>& start,
-                                    std::span<const std::uint8_t> bytes) {
+    static Outcome<void> take_start(const Line& line, std::optional<StartRecord>& start,
+                                    const StartRecord& read) {
         if (start) {
             return refuse(rules::record_line, "this is a second start address", line.whole());
         }
-        start = big_endian(bytes);
+        start = read;
         return {};
     }
 
@@ -197,12 +198,12 @@ class Writer {
                std::array{static_cast<std::uint8_t>(value >> 8U), static_cast<std::uint8_t>(value)});
     }
 
-    void write_start(Type type, const std::optional<std::uint32_t>& start) {
+    void write_start(Type type, const std::optional<StartRecord>& start) {
         if (start) {
-            record(
-                type, 0,
-                std::array{static_cast<std::uint8_t>(*start >> 24U), static_cast<std::uint8_t>(*start >> 16U),
-                           static_cast<std::uint8_t>(*start >> 8U), static_cast<std::uint8_t>(*start)});
+            const std::uint32_t value = start->start;
+            record(type, start->address,
+                   std::array{static_cast<std::uint8_t>(value >> 24U), static_cast<std::uint8_t>(value >> 16U),
+                              static_cast<std::uint8_t>(value >> 8U), static_cast<std::uint8_t>(value)});
         }
     }
 

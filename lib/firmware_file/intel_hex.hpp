@@ -12,10 +12,15 @@
 
 namespace cgw::firmware_file {
 
+struct StartRecord {
+    std::uint32_t start = 0;
+    std::uint16_t address = 0;  // mostly 0; it means nothing, and is kept
+};
+
 struct IntelHex {
     Memory memory;
-    std::optional<std::uint32_t> start_segment;  // record 03: CS:IP
-    std::optional<std::uint32_t> start_linear;   // record 05
+    std::optional<StartRecord> start_segment;  // record 03: CS:IP
+    std::optional<StartRecord> start_linear;   // record 05
     std::uint16_t end_address = 0;  // of the end record: where an 8-bit program starts, in files of old tools
     bool segmented = false;         // addresses beyond 64 KiB stand in records 02, not 04
     RecordStyle style{};

@@ -203,11 +203,35 @@ void judge(const Analysis& analysis, const Bands& bands, const Location& bus, Fi
     judge_lengths(analysis, findings);
 }
 
-Judged judge_bus(std::span<const Member> members, std::vector<Message> messages, const Bus& conditions,
-                 const Bands& bands) {
+bool DescribedNode::offers(std::uint32_t kbit) const {
+    return offered_kbit.empty() ||
+           std::find(offered_kbit.begin(), offered_kbit.end(), kbit) != offered_kbit.end();
+}
+
+void judge_bit_rates(std::span<const DescribedNode> nodes, std::uint32_t bit_rate, Findings& findings) {
+    const std::string bus = base::to_text(bit_rate / 1000.0);
+    for (const DescribedNode& node : nodes) {
+        const bool offered = bit_rate % 1000 == 0 && node.offers(bit_rate / 1000);
+        if (!offered && !node.offered_kbit.empty()) {
+            findings.report({.rule = &rules::bit_rate_not_offered,
+                             .message = fmt::format("node {} has no {} kbit/s, by its description: it has {}",
+                                                    node.node_id, bus, fmt::join(node.offered_kbit, ", ")),
+                             .where = node.where});
+        } else if (node.set_kbit && *node.set_kbit * std::uint64_t{1000} != bit_rate) {
+            findings.report({.rule = &rules::bit_rates_differ,
+                             .message = fmt::format("node {} is set to {} kbit/s, and the bus has {}",
+                                                    node.node_id, *node.set_kbit, bus),
+                             .where = node.where});
+        }
+    }
+}
+
+Judged judge_bus(std::span<const Member> members, std::span<const DescribedNode> nodes,
+                 std::vector<Message> messages, const Bus& conditions, const Bands& bands) {
     Judged judged{std::move(messages), std::nullopt, {}};
     judge_owners(members, judged.messages, judged.findings);
     if (const auto bit_rate = judge_bit_rate(members, judged.findings)) {
+        judge_bit_rates(nodes, *bit_rate, judged.findings);
         Bus bus = conditions;
         bus.bit_rate = *bit_rate;
         judged.analysis = analyse(merged(judged.messages), bus);

@@ -35,11 +35,25 @@ struct Member {
 };
 Member member_of(const parameter::Settings& settings, const config::Configuration& configuration);
 
+// A node that is known by its description.
+struct DescribedNode {
+    std::uint8_t node_id = 0;
+    std::vector<unsigned> offered_kbit;     // bit rates it supports, upwards; empty: not stated
+    std::optional<std::uint32_t> set_kbit;  // what a DCF sets it to
+    diagnostic::Location where;
+
+    bool offers(std::uint32_t kbit) const;
+};
+
 // Findings of one kind that are told one by one; of the others the number.
 inline constexpr std::size_t most_findings = 20;
 
 // The bit rate of the bus; nothing after a finding.
 std::optional<std::uint32_t> judge_bit_rate(std::span<const Member> members, diagnostic::Findings& findings);
+
+// Nodes that are not set to the bit rate of the bus, or cannot be.
+void judge_bit_rates(std::span<const DescribedNode> nodes, std::uint32_t bit_rate,
+                     diagnostic::Findings& findings);
 
 // Node ids and identifiers that have two owners, of all messages before they are merged.
 void judge_owners(std::span<const Member> members, std::span<const Message> messages,
@@ -57,8 +71,8 @@ struct Judged {
 };
 
 // All of the above. `conditions` are those of the bus but for its bit rate; `members` is not empty.
-Judged judge_bus(std::span<const Member> members, std::vector<Message> messages, const Bus& conditions,
-                 const Bands& bands);
+Judged judge_bus(std::span<const Member> members, std::span<const DescribedNode> nodes,
+                 std::vector<Message> messages, const Bus& conditions, const Bands& bands);
 
 // It is sent no more often than its receiver waits for it.
 bool is_too_slow(const Message& message);

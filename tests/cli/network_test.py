@@ -233,6 +233,32 @@ class Network(unittest.TestCase):
         result = self.run_cgw(SAMPLES / "minimal.toml", "--node", "own.eds:5", "--node", "own.eds:5", code=1)
         self.assertIn("two other nodes have node id 5 [E1104 node-shared]", " ".join(result.stderr.split()))
 
+    def test_nodes_without_the_bit_rate_of_the_bus(self):
+        self.run_cgw("eds", GENSET, "-o", "full.eds", verb="emit", code=0)
+        eds = (self.dir / "full.eds").read_text(encoding="latin-1")
+        self.assertIn("BaudRate_500=1", eds)
+        self.write("slow.eds", eds.replace("BaudRate_500=1", "BaudRate_500=0").replace("BaudRate_1000=1", "BaudRate_1000=0"))
+        self.write("plant.toml", plant(1, 500, first=0x690, rate=500))
+        result = self.run_cgw("plant.toml", "--node", "slow.eds:12", code=1)
+        self.assertIn("slow.eds: error: node 12 has no 500 kbit/s, by its description: it has 125, 250 [E1114",
+                      " ".join(result.stderr.split()))
+        self.run_cgw("plant.toml", "--node", "slow.eds:12", "--what-if", "baud=250", code=0)
+        patch = self.run_cgw("plant.toml", "--node", "slow.eds:12", "--suggest", code=0).stdout
+        self.assertIn("+426 = 250 ", patch)
+
+    def test_nodes_that_are_set_to_another_bit_rate(self):
+        self.run_cgw("dcf", GENSET, "-o", "node.dcf", verb="emit", code=0)
+        rate, = [line for line in (self.dir / "node.dcf").read_text(encoding="latin-1").splitlines()
+                 if line.startswith("Baudrate=")]
+        self.assertEqual(rate.strip(), "Baudrate=250")
+        self.write("plant.toml", plant(1, 500, first=0x690, rate=125))
+        result = self.run_cgw("plant.toml", "--node", "node.dcf:12", code=1)
+        self.assertIn("node.dcf: error: node 12 is set to 250 kbit/s, and the bus has 125 [E1102",
+                      " ".join(result.stderr.split()))
+        self.run_cgw("plant.toml", "--node", "node.dcf:12", "--what-if", "baud=500", code=0)
+        patch = self.run_cgw("plant.toml", "--node", "node.dcf:12", "--suggest", code=0).stdout
+        self.assertIn("+426 = 250 ", patch)
+
     def test_two_files_that_tell_one_message(self):
         row = "[[network.message]]\nid = 0x301\nname = 'setpoint'\nbytes = 8\nperiod_ms = {}\n"
         self.write("a.toml", plant(1, 200, more=row.format(800)))

@@ -287,7 +287,7 @@ TEST(RuleExampleKinds, without_examples_are_the_rules_that_nothing_printed_can_b
               "file-unreadable file-too-large file-not-utf8 elf-structure firmware-section firmware-address "
               "image-alignment image-room image-refused image-model image-elsewhere eds-text eds-too-much "
               "eds-byte-order-mark eds-line-ends xdd-text xdd-root bit-rates-differ node-shared "
-              "message-not-counted message-told-twice ");
+              "message-not-counted message-told-twice bit-rate-not-offered ");
 }
 
 }  // namespace

@@ -28,7 +28,7 @@ struct Sample {
 IntelHex hex_file() {
     IntelHex file;
     file.memory = Memory(0x08000000, base::Bytes(0x100, 0x4B));
-    file.start_linear = 0x080000ED;
+    file.start_linear = StartRecord{.start = 0x080000ED, .address = 0};
     file.end_address = 0x100;
     return file;
 }

@@ -29,7 +29,7 @@ TEST(IntelHexFile, is_read_and_written_back_the_same) {
     EXPECT_EQ(file->memory.blocks()[0].address, 0x0800FFF0U);
     EXPECT_EQ(file->memory.blocks()[0].bytes.size(), 20U);
     EXPECT_EQ(file->memory.blocks()[0].bytes[19], 0x13);
-    EXPECT_EQ(file->start_linear, 0x080000EDU);
+    EXPECT_EQ(file->start_linear.value().start, 0x080000EDU);
     EXPECT_EQ(write_intel_hex(*file), good);
 }
 
@@ -63,6 +63,13 @@ TEST(IntelHexFile, keeps_the_start_address_in_its_end_record) {
     ASSERT_EQ(refusal(file), "");
     EXPECT_EQ(file->end_address, 0x100);
     EXPECT_EQ(write_intel_hex(*file), ":0100000055AA\n:00010001FE\n");
+}
+
+TEST(IntelHexFile, keeps_the_address_field_of_start_records) {
+    const std::string text = ":0100000055AA\n:0400020312340005AC\n:04001005080000EDF2\n:00000001FF\n";
+    const Outcome<IntelHex> file = read(text);
+    ASSERT_EQ(refusal(file), "");
+    EXPECT_EQ(write_intel_hex(*file), text);
 }
 
 TEST(IntelHexFile, tells_what_it_has_beside_its_data) {

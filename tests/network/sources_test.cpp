@@ -233,13 +233,33 @@ TEST(NodeIds, belong_to_one_device) {
     EXPECT_EQ(findings.all()[0].message, "two other nodes have node id 1");
 }
 
+TEST(Judging, nodes_have_the_bit_rate_of_the_bus) {
+    const auto told = [](std::vector<unsigned> offered, std::optional<std::uint32_t> set,
+                         std::uint32_t bit_rate) {
+        const DescribedNode node{.node_id = 5, .offered_kbit = offered, .set_kbit = set, .where = {}};
+        diagnostic::Findings findings;
+        judge_bit_rates(std::vector{node}, bit_rate, findings);
+        return findings.all().empty()
+                   ? ""
+                   : fmt::format("{}: {}", findings.all()[0].rule->code, findings.all()[0].message);
+    };
+    EXPECT_EQ(told({}, {}, 250'000), "");
+    EXPECT_EQ(told({125, 250}, {}, 250'000), "");
+    EXPECT_EQ(told({125, 500}, {}, 250'000),
+              "E1114: node 5 has no 250 kbit/s, by its description: it has 125, 500");
+    EXPECT_EQ(told({83}, {}, 83'333), "E1114: node 5 has no 83.333 kbit/s, by its description: it has 83");
+    EXPECT_EQ(told({}, 250, 250'000), "");
+    EXPECT_EQ(told({125, 250}, 125, 250'000), "E1102: node 5 is set to 125 kbit/s, and the bus has 250");
+}
+
 TEST(Judging, a_message_that_nobody_states_is_a_matter_of_the_bus) {
     test::PlantBuilder plant;
     plant.minimal();
     const std::vector<Member> members{member_of(plant.settings(), plant.resolve())};
     Bus bus;
     bus.errors_per_second = 3000;
-    const Judged judged = judge_bus(members, messages_of(plant.settings(), plant.resolve(), 0), bus, Bands{});
+    const Judged judged =
+        judge_bus(members, {}, messages_of(plant.settings(), plant.resolve(), 0), bus, Bands{});
     ASSERT_EQ(judged.findings.all().size(), 1U);
     const diagnostic::Diagnostic& finding = judged.findings.all()[0];
     EXPECT_EQ(finding.rule, &diagnostic::rules::message_unbounded);

@@ -165,5 +165,17 @@ const Rule message_told_twice{.code = "E1113",
                               .example = Example::none,
                               .bad = "",
                               .good = ""};
+const Rule bit_rate_not_offered{
+    .code = "E1114",
+    .name = "bit-rate-not-offered",
+    .level = Level::error,
+    .summary = "a node supports the bit rate of the bus, by its description",
+    .reference = "CiA 306-1 7.2.2",
+    .why =
+        "A node with another bit rate destroys every frame on the bus. One that has not this rate cannot be "
+        "set to it.",
+    .example = Example::none,
+    .bad = "",
+    .good = ""};
 
 }  // namespace cgw::diagnostic::rules

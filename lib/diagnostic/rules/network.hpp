@@ -17,7 +17,8 @@
     RULE(message_too_short) \
     RULE(message_not_counted) \
     RULE(message_too_slow) \
-    RULE(message_told_twice)
+    RULE(message_told_twice) \
+    RULE(bit_rate_not_offered)
 // clang-format on
 
 namespace cgw::diagnostic::rules {
