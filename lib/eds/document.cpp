@@ -65,11 +65,6 @@ std::vector<std::uint32_t> order_of(const std::vector<std::uint64_t>& hashes) {
     return order;
 }
 
-bool less_ignoring_case(std::string_view a, std::string_view b) {
-    return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end(),
-                                        [](char x, char y) { return base::lower(x) < base::lower(y); });
-}
-
 // The first of a character in [begin, end); `end` when there is none.
 const char* next_of(const char* begin, const char* end, char wanted) {
     const void* const found = std::memchr(begin, wanted, static_cast<std::size_t>(end - begin));
@@ -166,7 +161,7 @@ void Document::sort_by_name(std::size_t begin, std::size_t end) {
     const auto first = by_name_.begin();
     std::stable_sort(first + static_cast<std::ptrdiff_t>(begin), first + static_cast<std::ptrdiff_t>(end),
                      [this](std::uint32_t a, std::uint32_t b) {
-                         return less_ignoring_case(name(sections_[a]), name(sections_[b]));
+                         return base::less_ignoring_case(name(sections_[a]), name(sections_[b]));
                      });
 }
 
@@ -193,7 +188,7 @@ const Section* Document::find(std::string_view wanted) const {
     const auto found = std::lower_bound(
         by_name_.begin(), by_name_.end(), wanted, [&](std::uint32_t number, std::string_view text) {
             return hashes_[number] != hash ? hashes_[number] < hash
-                                           : less_ignoring_case(name(sections_[number]), text);
+                                           : base::less_ignoring_case(name(sections_[number]), text);
         });
     const bool is_it = found != by_name_.end() && base::equal_ignoring_case(name(sections_[*found]), wanted);
     return is_it ? &sections_[*found] : nullptr;

@@ -74,7 +74,7 @@ class Document {
     std::string_view key(std::uint32_t line) const { return view(key_span(line)); }
     std::string_view value(std::uint32_t line) const { return view(value_span(line)); }
     std::string_view view(const Span& span) const {
-        return std::string_view(text_).substr(span.begin, span.end - span.begin);
+        return {text_.data() + span.begin, span.end - span.begin};
     }
 
     Span name_span(const Section& section) const;
@@ -109,7 +109,8 @@ class Document {
     void index_names();
     void sort_by_name(std::size_t begin, std::size_t end);
     Span trimmed(std::uint32_t line, std::uint32_t begin, std::uint32_t end) const {
-        const auto is_blank = [this](std::uint32_t at) { return text_[at] == ' ' || text_[at] == '\t'; };
+        const char* const text = text_.data();
+        const auto is_blank = [text](std::uint32_t at) { return text[at] == ' ' || text[at] == '\t'; };
         while (begin < end && is_blank(begin)) {
             ++begin;
         }

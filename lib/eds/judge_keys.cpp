@@ -96,10 +96,7 @@ void judge_repeats(Reading& reading, const Section& section, SectionKind kind) {
         }
     }
     const auto before = [&](std::uint32_t a, std::uint32_t b) {
-        const std::string_view x = document.key(a);
-        const std::string_view y = document.key(b);
-        return std::lexicographical_compare(x.begin(), x.end(), y.begin(), y.end(),
-                                            [](char c, char d) { return base::lower(c) < base::lower(d); });
+        return base::less_ignoring_case(document.key(a), document.key(b));
     };
     std::stable_sort(lines.begin(), lines.end(), before);
     std::size_t first = 0;

@@ -362,6 +362,13 @@ class Verify(Case):
         jsonschema.validate(document, json.loads((SCHEMAS / "proof-report.schema.json").read_text()))
         self.assertEqual(document["artefacts"][0]["strict_errors"], 1)
 
+    def test_an_entry_that_stands_twice_in_a_list_fails(self):
+        twice = self.changed(b"[MandatoryObjects]\r\nSupportedObjects=3\r\n1=0x1000\r\n",
+                             b"[MandatoryObjects]\r\nSupportedObjects=3\r\n1=0x1000\r\n1=0x1000\r\n")
+        result = cgw("verify", GENSET, "--eds", twice)
+        self.assertEqual(result.returncode, 1)
+        self.assertIn(b"E0805 eds-key-twice", result.stderr)
+
     def test_a_file_that_is_too_large_is_a_finding_in_every_verb(self):
         large = self.dir / "large.eds"
         with large.open("wb") as file:

@@ -145,6 +145,11 @@ TEST(CheckFindings, of_one_kind_are_counted_beyond_a_hundred) {
     EXPECT_EQ(findings.all().front().message, "50 more findings of this kind are not told one by one");
 }
 
+TEST(CheckFindings, take_an_empty_value_for_one_that_is_missing) {
+    const std::string lines = test::as_lines(checked_with("[DeviceInfo]\nVendorName=\n"));
+    EXPECT_NE(lines.find("E0835 eds-keys-absent: [DeviceInfo] lacks VendorName\n"), std::string::npos) << lines;
+}
+
 TEST(CheckFindings, tell_dummies_that_are_no_data_type) {
     for (const std::string_view key : {"Dummy00FF", "Dummy0000", "Dummyabcd", "Dummy5"}) {
         const diagnostic::Findings findings = checked_with(fmt::format("[DummyUsage]\n{}=1\n", key));

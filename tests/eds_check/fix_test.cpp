@@ -149,6 +149,7 @@ TEST(Fix, repairs_nothing_where_it_is_not_certain_what_the_sheet_says) {
     for (const std::string_view doubt :
          {"[2000]\nAccessType=RWW\nDataType=0x0006\nDataType=0x0007\n", "[2000\nAccessType=RWW\n",
           "[2000]\nAccessType=RWW\n[2000]\nAccessType=ro\n",
+          "[ManufacturerObjects]\nSupportedObjects=2\n1=0x2000\n1=0x2001\n[2000]\nAccessType=RWW\n",
           "[DeviceComissioning]\nNodeID=05\n[DeviceCommissioning]\nNodeID=6\n"}) {
         const Fixed fixed = fixed_of(std::string(doubt));
         EXPECT_EQ(fixed.text, doubt);
