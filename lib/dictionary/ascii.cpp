@@ -45,6 +45,11 @@ static_assert(first_letter + letters.size() == 0x0180);
 constexpr char32_t not_utf8 = 0xFFFD;
 constexpr char no_counterpart = '?';
 
+constexpr bool is_printable_ascii(char32_t character) {
+    constexpr char32_t del = 0x7F;
+    return character >= ' ' && character < del;
+}
+
 // Takes one character off the front of `text`, which is not empty.
 char32_t take_character(std::string_view& text) {
     const std::size_t length = std::max<std::size_t>(base::utf8_sequence_length(text), 1);
@@ -57,14 +62,12 @@ char32_t take_character(std::string_view& text) {
     return length == 1 && lead >= 0x80 ? not_utf8 : character;
 }
 
+// What is no printable ASCII.
 void append_spelt(std::string& ascii, char32_t character) {
-    constexpr char32_t del = 0x7F;
     constexpr char32_t first_after_controls = 0xA0;
     const auto* const special = std::find_if(spellings.begin(), spellings.end(),
                                              [&](const Spelling& row) { return row.character == character; });
-    if (character >= ' ' && character < del) {
-        ascii += static_cast<char>(character);
-    } else if (character < first_after_controls) {
+    if (character < first_after_controls) {
         ascii += ' ';
     } else if (special != spellings.end()) {
         ascii += special->text;
@@ -88,7 +91,12 @@ std::string to_ascii(std::string_view utf8) {
     std::string ascii;
     ascii.reserve(utf8.size());
     while (!utf8.empty()) {
-        append_spelt(ascii, take_character(utf8));
+        if (const char c = utf8.front(); is_printable_ascii(static_cast<unsigned char>(c))) {
+            ascii += c;
+            utf8.remove_prefix(1);
+        } else {
+            append_spelt(ascii, take_character(utf8));
+        }
     }
     return ascii;
 }

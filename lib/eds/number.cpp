@@ -49,8 +49,12 @@ void read_digits(std::string_view digits, std::uint64_t radix, Number& number) {
     }
 }
 
-// Of 0x and up to sixteen digits, which most numbers are; false for all others.
-bool is_plain_hexadecimal(std::string_view text, std::uint64_t& magnitude) {
+// Of one digit, or of 0x and up to sixteen, which nearly all numbers are; false for all others.
+bool is_plain(std::string_view text, std::uint64_t& magnitude) {
+    if (text.size() == 1 && base::is_digit(text.front())) {
+        magnitude = static_cast<std::uint64_t>(text.front() - '0');
+        return true;
+    }
     constexpr std::size_t longest = 18;
     if (text.size() > longest || !has_hexadecimal_prefix(text)) {
         return false;
@@ -123,7 +127,7 @@ Number parse_formula(std::string_view text) {
 
 Number parse_number(std::string_view text) {
     Number plain{.reading = Number::Reading::number};
-    if (is_plain_hexadecimal(text, plain.magnitude)) {
+    if (is_plain(text, plain.magnitude)) {
         return plain;
     }
     const Number literal = parse_literal(text);

@@ -138,8 +138,8 @@ bool Reading::complain(const Number& number, std::uint32_t line) {
     return true;
 }
 
-std::optional<std::uint64_t> Reading::number(std::uint32_t line, std::uint64_t highest) {
-    const std::string_view text = line != 0 ? document.value(line) : std::string_view();
+std::optional<std::uint64_t> Reading::stated_number(std::uint32_t line, std::uint64_t highest) {
+    const std::string_view text = document.value(line);
     if (text.empty()) {
         return std::nullopt;
     }

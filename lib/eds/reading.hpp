@@ -69,7 +69,9 @@ class Reading {
     // Of the entry on `line`; 0 is a key that is not there. Nothing, like an empty value: not stated, or not
     // readable, which is then a finding.
 
-    std::optional<std::uint64_t> number(std::uint32_t line, std::uint64_t highest);
+    std::optional<std::uint64_t> number(std::uint32_t line, std::uint64_t highest) {
+        return line != 0 ? stated_number(line, highest) : std::nullopt;
+    }
     std::optional<dictionary::Value> value(std::uint32_t line, const dictionary::TypeRow& type);
     std::string text(std::uint32_t line) const {
         return line != 0 ? std::string(document.value(line)) : std::string();
@@ -109,6 +111,7 @@ class Reading {
     std::size_t variables = 0;  // so far, of all objects
 
   private:
+    std::optional<std::uint64_t> stated_number(std::uint32_t line, std::uint64_t highest);
     // A number that was read; false when it was none, which is a finding then.
     bool judge(const Number& number, std::uint32_t line) {
         const bool plain = number.reading != Number::Reading::none && !number.loose && !number.misplaced;
