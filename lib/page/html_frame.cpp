@@ -66,7 +66,7 @@ std::string part_svg(const Frame::Part& part) {
 
 std::string frame_svg(const Frame& frame) {
     const unsigned rows = (frame.bytes + bytes_of_row - 1) / bytes_of_row;
-    const unsigned width = std::min(frame.bytes, bytes_of_row) * byte_width;
+    const unsigned width = std::min(frame.bytes, bytes_of_row) * byte_width + 1;  // with the last line
     std::string svg = fmt::format(
         "<svg class=\"frame\" viewBox=\"0 0 {} {}\" width=\"{}\" height=\"{}\" role=\"img\" "
         "aria-label=\"{}\">\n",
