@@ -170,7 +170,7 @@ const Rule bit_rate_not_offered{
     .name = "bit-rate-not-offered",
     .level = Level::error,
     .summary = "a node supports the bit rate of the bus, by its description",
-    .reference = "CiA 306-1 7.2.2",
+    .reference = "CiA 306",
     .why =
         "A node with another bit rate destroys every frame on the bus. One that has not this rate cannot be "
         "set to it.",
