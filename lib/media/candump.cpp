@@ -12,7 +12,6 @@ namespace {
 constexpr std::uint64_t microseconds = 1'000'000;
 constexpr std::size_t standard_digits = 3;
 constexpr std::size_t extended_digits = 8;
-constexpr std::size_t fraction_digits = 6;
 constexpr std::uint32_t maximum_standard_id = 0x7FF;
 constexpr std::uint32_t maximum_extended_id = 0x1FFF'FFFF;
 constexpr std::uint32_t error_frame = 0x2000'0000;
@@ -39,12 +38,12 @@ std::optional<std::string_view> cut(std::string_view& text, char separator) {
 bool parse_time(std::string_view text, std::uint64_t& time_us) {
     const std::optional<std::string_view> seconds_text = cut(text, '.');
     std::uint64_t seconds = 0;
-    std::uint64_t fraction = 0;
-    if (!seconds_text || !parse(*seconds_text, 10, seconds) || text.size() != fraction_digits ||
-        !parse(text, 10, fraction) || seconds > ~std::uint64_t{0} / microseconds - 1) {
+    const std::optional<std::uint64_t> fraction_us = candump_fraction_us(text);
+    if (!seconds_text || !parse(*seconds_text, 10, seconds) || !fraction_us ||
+        seconds > ~std::uint64_t{0} / microseconds - 1) {
         return false;
     }
-    time_us = seconds * microseconds + fraction;
+    time_us = seconds * microseconds + *fraction_us;
     return true;
 }
 
@@ -135,6 +134,17 @@ std::string candump_line(const LoggedFrame& logged) {
         line += fmt::format("{:02X}", frame.data[i]);
     }
     return line;
+}
+
+std::optional<std::uint64_t> candump_fraction_us(std::string_view digits) {
+    constexpr std::size_t of_microseconds = 6;
+    constexpr std::size_t of_nanoseconds = 9;
+    std::uint64_t fraction = 0;
+    if ((digits.size() != of_microseconds && digits.size() != of_nanoseconds) ||
+        !parse(digits, 10, fraction)) {
+        return std::nullopt;
+    }
+    return digits.size() == of_nanoseconds ? fraction / 1000 : fraction;
 }
 
 std::optional<LoggedFrame> parse_candump_line(std::string_view line) {

@@ -16,7 +16,10 @@ namespace cgw::media {
 // Without a line feed.
 std::string candump_line(const LoggedFrame& logged);
 
-// Nothing when the line is not exactly of that form. A remote frame's length digit is optional.
+// Microseconds, of the six or nine digits behind the point of a time.
+std::optional<std::uint64_t> candump_fraction_us(std::string_view digits);
+
+// Nothing when the line is not exactly of that form, or with nanoseconds. A remote frame's length digit is optional.
 std::optional<LoggedFrame> parse_candump_line(std::string_view line);
 
 enum class LineKind : std::uint8_t {

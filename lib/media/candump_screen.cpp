@@ -10,7 +10,6 @@ namespace {
 
 constexpr std::string_view blanks = " \t";
 constexpr std::uint64_t microseconds = 1'000'000;
-constexpr std::size_t fraction_digits = 6;
 constexpr std::size_t standard_digits = 3;
 constexpr std::size_t extended_digits = 8;
 constexpr std::uint32_t error_flag = 0x2000'0000;
@@ -72,9 +71,8 @@ bool parse_time(std::string_view text, std::uint64_t& time_us) {
     if (point == std::string_view::npos) {
         return false;
     }
-    std::uint64_t fraction = 0;
-    const std::string_view digits = text.substr(point + 1);
-    if (digits.size() != fraction_digits || !parse(digits, 10, fraction)) {
+    const std::optional<std::uint64_t> fraction_us = candump_fraction_us(text.substr(point + 1));
+    if (!fraction_us) {
         return false;
     }
     text = text.substr(0, point);
@@ -88,7 +86,7 @@ bool parse_time(std::string_view text, std::uint64_t& time_us) {
     } else if (!parse(text, 10, seconds) || seconds > ~std::uint64_t{0} / microseconds - 1) {
         return false;
     }
-    time_us = seconds * microseconds + fraction;
+    time_us = seconds * microseconds + *fraction_us;
     return true;
 }
 

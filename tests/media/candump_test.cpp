@@ -52,6 +52,8 @@ TEST(Candump, refuses_every_other_line) {
                              "(1.000000) can0 123",
                              "(1.0) can0 123#",
                              "(1.00000x) can0 123#",
+                             "(1.0000000) can0 123#",
+                             "(1.00000000x) can0 123#",
                              "(x.000000) can0 123#",
                              "(1.000000) 123#",
                              "(1.000000)  123#",
@@ -81,6 +83,12 @@ TEST(Candump, accepts_lower_case_and_short_seconds) {
     EXPECT_EQ(read->time_us, 1'000'002U);
     EXPECT_EQ(read->interface_name, "vcan1");
     EXPECT_EQ(read->frame, make_frame(0x7FF, {0xAB, 0xCD}));
+}
+
+TEST(Candump, reads_times_with_nanoseconds) {
+    const std::optional<LoggedFrame> read = parse_candump_line("(1436509052.249713999) can0 123#11");
+    ASSERT_TRUE(read.has_value());
+    EXPECT_EQ(read->time_us, 1'436'509'052'249'713U);
 }
 
 TEST(CandumpFile, is_read_whole) {

@@ -143,6 +143,7 @@ TEST(CandumpScreen, is_read_with_all_options_of_time_and_direction) {
     const std::string bytes = "can0  123   [2]  11 A2";
     EXPECT_EQ(line_of_screen("  " + bytes), "no time: (0000000000.000000) can0 123#11A2");
     EXPECT_EQ(line_of_screen(" (1436509052.249713)  " + bytes), "(1436509052.249713) can0 123#11A2");
+    EXPECT_EQ(line_of_screen(" (1436509052.249713001)  " + bytes), "(1436509052.249713) can0 123#11A2");
     EXPECT_EQ(line_of_screen(" (2015-07-10 06:17:32.249713)  " + bytes), "(1436509052.249713) can0 123#11A2");
     EXPECT_EQ(line_of_screen(" (000.000123)  can0  RX - -  123   [2]  11 A2"),
               "(0000000000.000123) can0 123#11A2");
