@@ -73,7 +73,7 @@ TEST(Html, bars_end_at_their_limit) {
 TEST(Html, draws_frames_in_rows_of_four_bytes) {
     const std::string html = render_html(page_of(
         Frame{"The 6 bytes", 6, {{0, 16, "Speed"}, {16, 32, "a name that is far too long to stand in it"}}}));
-    EXPECT_TRUE(has(html, "viewBox=\"0 0 480 132\""));
+    EXPECT_TRUE(has(html, "viewBox=\"0 0 481 132\""));
     EXPECT_TRUE(has(html, "aria-label=\"The 6 bytes\""));
     EXPECT_TRUE(has(html, ">byte 5</text>"));
     EXPECT_TRUE(has(html, ">Speed</text>"));
