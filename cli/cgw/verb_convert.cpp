@@ -44,8 +44,9 @@ constexpr std::string_view convert_details =
     "$NODEID are resolved, and objects that no PDO carries get their defaults as\n"
     "values. What the new format cannot hold is told on standard error, with how\n"
     "often it was there; docs/conversions.md lists it. So is what is not carried\n"
-    "over: vendors' own sections and keys, comments, elements of an XDD that are of\n"
-    "no object. EDS, XDD, JSON and tables refuse --node-id.\n"
+    "over: keys of vendors, comments, elements of an XDD that are of no object, and\n"
+    "sections that say nothing of objects, which only EDS and DCF keep.\n"
+    "EDS, XDD, JSON and tables refuse --node-id.\n"
     "A concise DCF has those objects that can be written and whose value is not\n"
     "their default, PDOs in the order in which a device lets itself be changed.\n";
 
@@ -76,22 +77,21 @@ void refuse_kind(const driver::DeviceDescription& description) {
     }
 }
 
-void tell_unread(const driver::DeviceDescription& description) {
+void tell_unread(const std::vector<convert::Unread>& unread) {
     constexpr std::size_t most_told = 20;
-    const std::size_t told = std::min(description.unread.size(), most_told);
+    const std::size_t told = std::min(unread.size(), most_told);
     for (std::size_t i = 0; i < told; ++i) {
-        const convert::Unread& each = description.unread[i];
+        const convert::Unread& each = unread[i];
         const bool is_one_section = each.count == 1 && each.what.starts_with('[');
         fmt::print(stderr, "not carried over: {}{}\n", each.what,
                    is_one_section ? "" : fmt::format(" ({})", each.count));
     }
-    if (told < description.unread.size()) {
+    if (told < unread.size()) {
         std::size_t more = 0;
-        for (std::size_t i = told; i < description.unread.size(); ++i) {
-            more += description.unread[i].count;
+        for (std::size_t i = told; i < unread.size(); ++i) {
+            more += unread[i].count;
         }
-        fmt::print(stderr, "not carried over: {} others of {} more kinds\n", more,
-                   description.unread.size() - told);
+        fmt::print(stderr, "not carried over: {} others of {} more kinds\n", more, unread.size() - told);
     }
 }
 
@@ -121,8 +121,9 @@ int run_convert(const Arguments& arguments) {
     }
     refuse_kind(description);
     const std::string file_name = output == "-" ? "" : std::filesystem::path(output).filename().string();
-    const auto product = convert::convert({description.dictionary, description.commissioning},
-                                          {.format = format, .node_id = node_id, .file_name = file_name});
+    const auto product =
+        convert::convert({description.dictionary, description.commissioning, description.sections},
+                         {.format = format, .node_id = node_id, .file_name = file_name});
     if (!product) {
         throw UsageError(fmt::format("{}: {}", path, product.error().message));
     }
@@ -130,7 +131,9 @@ int run_convert(const Arguments& arguments) {
         written != exit_fine) {
         return written;
     }
-    tell_unread(description);
+    std::vector<convert::Unread> unread = product->lost_sections;
+    unread.insert(unread.end(), description.unread.begin(), description.unread.end());
+    tell_unread(unread);
     tell_losses(*product, format);
     return exit_fine;
 }

@@ -20,11 +20,21 @@ namespace {
 using dictionary::Dictionary;
 using About = Format::About;
 
+base::Bytes with_sections(std::string text, const std::vector<FurtherSection>& sections) {
+    for (const FurtherSection& section : sections) {
+        text.append("\r\n[").append(section.name).append("]\r\n");
+        for (const std::string& line : section.lines) {
+            text.append(line).append("\r\n");
+        }
+    }
+    return base::to_bytes(text);
+}
+
 base::Bytes write_eds(const Description& description) {
-    return base::to_bytes(eds::write(description.dictionary));
+    return with_sections(eds::write(description.dictionary), description.sections);
 }
 base::Bytes write_dcf(const Description& description) {
-    return base::to_bytes(eds::write(description.dictionary, *description.node));
+    return with_sections(eds::write(description.dictionary, *description.node), description.sections);
 }
 base::Bytes write_xdd(const Description& description) {
     return base::to_bytes(xdd::write(description.dictionary));
@@ -181,6 +191,10 @@ base::Result<Product> convert(Description description, const Request& request) {
         if (!request.file_name.empty()) {
             description.dictionary.file.file_name = request.file_name;
         }
+    }
+    const bool holds_sections = request.format.medium == Medium::eds || request.format.medium == Medium::dcf;
+    if (!holds_sections) {
+        product.lost_sections = unread_of(description.sections);
     }
     product.bytes = request.format.write(description);
     return product;

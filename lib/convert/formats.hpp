@@ -13,6 +13,7 @@
 #include "base/result.hpp"
 #include "convert/description.hpp"
 #include "convert/losses.hpp"
+#include "convert/unread.hpp"
 
 namespace cgw::convert {
 
@@ -39,6 +40,7 @@ struct Request {
 struct Product {
     base::Bytes bytes;
     std::vector<Loss> losses;
+    std::vector<Unread> lost_sections;
     std::size_t resolved = 0;  // values that followed the node number, and do no more
     std::uint8_t node_id = 0;  // for which they are resolved
 };

@@ -40,6 +40,17 @@ bool is_unread(SectionKind kind) {
            kind == SectionKind::dynamic_channels;
 }
 
+std::vector<std::string> lines_of(const eds::Document& document, const eds::Section& section) {
+    std::vector<std::string> lines;
+    for (std::uint32_t line = section.header + 1; line < section.end; ++line) {
+        const eds::LineKind kind = document.lines()[line].kind;
+        if (kind == eds::LineKind::entry || kind == eds::LineKind::other) {
+            lines.emplace_back(document.view(document.line_span(line)));
+        }
+    }
+    return lines;
+}
+
 // Sub-objects have the keys of objects.
 bool is_unknown(SectionKind kind, std::string_view key) {
     const SectionKind of = kind == SectionKind::sub_object ? SectionKind::object : kind;
@@ -48,16 +59,16 @@ bool is_unknown(SectionKind kind, std::string_view key) {
 
 }  // namespace
 
-std::vector<Unread> unread_of_sections(std::string text) {
+PassedOver passed_over_in(std::string text) {
     const eds::Document document(std::move(text));
-    Counter sections;
+    PassedOver passed_over;
     Counter keys;
     std::size_t comments = 0;
     for (const eds::Section& section : document.sections()) {
         const std::string_view name = document.name(section);
         const SectionKind kind = eds::parse_section_name(name).kind;
         if (is_unread(kind)) {
-            sections.add(name, fmt::format("[{}]", base::printable(name)));
+            passed_over.sections.push_back({std::string(name), lines_of(document, section)});
             continue;
         }
         for (std::uint32_t line = section.header + 1; line < section.end; ++line) {
@@ -69,14 +80,19 @@ std::vector<Unread> unread_of_sections(std::string text) {
     for (const eds::Line& line : document.lines()) {
         comments += line.kind == eds::LineKind::comment ? 1U : 0U;
     }
-    std::vector<Unread> all = sections.take();
-    for (Unread& each : keys.take()) {
-        all.push_back(std::move(each));
-    }
+    passed_over.unread = keys.take();
     if (comments != 0) {
-        all.push_back({"lines of comment", comments});
+        passed_over.unread.push_back({"lines of comment", comments});
     }
-    return all;
+    return passed_over;
+}
+
+std::vector<Unread> unread_of(const std::vector<FurtherSection>& sections) {
+    Counter counter;
+    for (const FurtherSection& section : sections) {
+        counter.add(section.name, fmt::format("[{}]", base::printable(section.name)));
+    }
+    return counter.take();
 }
 
 }  // namespace cgw::convert

@@ -70,7 +70,9 @@ base::Result<void> take_parameter_file(DeviceDescription& description, std::stri
 }
 
 void take_data_sheet(DeviceDescription& description, std::string text) {
-    description.unread = convert::unread_of_sections(text);
+    convert::PassedOver passed_over = convert::passed_over_in(text);
+    description.sections = std::move(passed_over.sections);
+    description.unread = std::move(passed_over.unread);
     DataSheet file = read_data_sheet_text(description.path, std::move(text));
     description.dictionary = std::move(file.sheet->dictionary);
     description.commissioning = std::move(file.sheet->commissioning);

@@ -42,8 +42,9 @@ struct DeviceDescription {
     std::string configuration_id;         // 16 digits; of a parameter file and an image
     diagnostic::Findings findings;        // sorted by place
     std::map<std::string, std::string> sources;
-    std::vector<convert::Unread> unread;  // of an EDS, DCF, XDD or XDC: what the dictionary does not hold
-    bool unreadable = false;              // exit code 3
+    std::vector<convert::FurtherSection> sections;  // of an EDS or DCF
+    std::vector<convert::Unread> unread;            // of an EDS, DCF, XDD or XDC: what nothing here holds
+    bool unreadable = false;                        // exit code 3
 
     // The dictionary holds all that the file says.
     bool valid() const { return !unreadable && !findings.has_errors(); }

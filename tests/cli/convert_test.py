@@ -60,7 +60,11 @@ class Convert(unittest.TestCase):
         odd = self.dir / "odd.eds"
         odd.write_text("; by hand\n" + text.replace("[1017]\n", "[1017]\nUnit=ms\n", 1).replace("[1017]\r\n", "[1017]\r\nUnit=ms\r\n", 1))
         self.expect(cgw("convert", odd, "--to", "dcf", "--node-id", 5), 0,
-                    ["not carried over: [Tools]\n", "not carried over: key Unit (1)\n", "not carried over: lines of comment (1)\n"])
+                    ["not carried over: key Unit (1)\n", "not carried over: lines of comment (1)\n"])
+        dcf = self.dir / "odd.dcf"
+        self.expect(cgw("convert", odd, "-o", dcf, "--node-id", 5), 0, ["key Unit"])
+        self.assertIn(b"[Tools]\r\n", dcf.read_bytes())
+        self.expect(cgw("convert", dcf, "--to", "csv"), 0, ["not carried over: [Tools]\n"])
         xml = self.dir / "a.xdd"
         xml.write_bytes(cgw("convert", DEVICE, "--to", "xdd").stdout.replace(
             b"</label>", b"</label><description lang=\"en\">d</description>", 3))

@@ -162,20 +162,46 @@ std::string told(const std::vector<Unread>& unread) {
 
 }  // namespace
 
-TEST(UnreadOfSections, are_those_that_mean_nothing_to_cgw) {
-    EXPECT_EQ(
-        told(unread_of_sections(
-            "[FileInfo]\n[Tools]\n[1000]\n[1018sub1]\n[Vendor\x1B]\n[DynamicChannels]\nA=1\n[tools]\n")),
-        "[Tools] 2\n[Vendor?] 1\n[DynamicChannels] 1\n");
-    EXPECT_TRUE(unread_of_sections("").empty());
+TEST(PassedOver, are_sections_that_say_nothing_of_objects) {
+    const PassedOver found = passed_over_in(
+        "[FileInfo]\n[Tools]\n[1000]\n[1018sub1]\n[Vendor\x1B]\n[DynamicChannels]\nA=1\n;c\n\n b = 2 "
+        "\n[tools]\n");
+    EXPECT_EQ(told(unread_of(found.sections)), "[Tools] 2\n[Vendor?] 1\n[DynamicChannels] 1\n");
+    EXPECT_EQ(found.sections.at(2).lines, (std::vector<std::string>{"A=1", " b = 2 "}));
+    EXPECT_TRUE(passed_over_in("").sections.empty());
 }
 
-TEST(UnreadOfSections, have_unknown_keys_and_comments_counted) {
-    EXPECT_EQ(
-        told(unread_of_sections("; by hand\n[FileInfo]\nFileName=a\nAuthor=b\n[1000]\nParameterName=T\n"
-                                "Unit=V\n;x\n[1018sub1]\nunit=A\nFactor=2\nDataType=7\n[Vendor]\nUnit=1\n"
-                                "[OptionalObjects]\n1=0x1000\n[DummyUsage]\nDummy0001=1\n")),
-        "[Vendor] 1\nkey Author 1\nkey Unit 2\nkey Factor 1\nlines of comment 2\n");
+TEST(PassedOver, are_unknown_keys_and_comments_counted) {
+    EXPECT_EQ(told(passed_over_in("; by hand\n[FileInfo]\nFileName=a\nAuthor=b\n[1000]\nParameterName=T\n"
+                                  "Unit=V\n;x\n[1018sub1]\nunit=A\nFactor=2\nDataType=7\n[Vendor]\nUnit=1\n"
+                                  "[OptionalObjects]\n1=0x1000\n[DummyUsage]\nDummy0001=1\n")
+                       .unread),
+              "key Author 1\nkey Unit 2\nkey Factor 1\nlines of comment 2\n");
+}
+
+TEST(FurtherSections, are_in_every_eds_and_dcf_and_told_of_other_formats) {
+    Description device = io_device();
+    device.sections = {{"Tools", {"Items=1"}},
+                       {"DynamicChannels", {"NrOfSeg=1", "Type1=0x0007", "Range1=0xA080-0xA0BF"}}};
+    const std::string sections =
+        "\r\n[Tools]\r\nItems=1\r\n\r\n[DynamicChannels]\r\nNrOfSeg=1\r\nType1=0x0007\r\nRange1=0xA080-"
+        "0xA0BF\r\n";
+    for (const Format& format : formats()) {
+        const bool is_node = format.about == Format::About::node;
+        if (format.name == "concise-dcf") {
+            device.node.emplace().node_id = 5;
+        }
+        const auto product = convert(
+            device, {.format = format,
+                     .node_id = is_node && !device.node ? std::optional<std::uint8_t>(5) : std::nullopt});
+        ASSERT_TRUE(product.has_value()) << format.name << product.error().message;
+        const bool holds = format.name == "eds" || format.name == "dcf";
+        EXPECT_EQ(std::string(product->bytes.begin(), product->bytes.end()).ends_with(sections), holds)
+            << format.name;
+        EXPECT_EQ(told(product->lost_sections), holds ? "" : "[Tools] 1\n[DynamicChannels] 1\n")
+            << format.name;
+        device.node.reset();
+    }
 }
 
 }  // namespace cgw::convert
