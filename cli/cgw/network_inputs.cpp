@@ -11,6 +11,7 @@
 #include "cli/cgw/exit_codes.hpp"
 #include "cli/cgw/terminal.hpp"
 #include "config/numbers.hpp"
+#include "eds/value_places.hpp"
 #include "facts/gateway.hpp"
 #include "facts/identifiers.hpp"
 #include "network/same_device.hpp"
@@ -82,12 +83,37 @@ Change change_of(const std::string& text) {
     return change;
 }
 
+// Where a description says what; only those that are EDS or DCF tell lines.
+class Places {
+  public:
+    explicit Places(const driver::DeviceDescription& description) : path_(description.path) {
+        if (driver::is_eds(description.kind)) {
+            sheet_.emplace(description.sources.at(path_));
+        }
+    }
+
+    diagnostic::Location whole() const { return {path_, {}}; }
+    diagnostic::Location of_object(std::uint16_t index, std::uint8_t sub_index) const {
+        return {path_, sheet_ ? sheet_->of_object(index, sub_index) : diagnostic::Range{}};
+    }
+    diagnostic::Location of_key(eds::SectionKind section, std::string_view key) const {
+        return {path_, sheet_ ? sheet_->of_key(section, key) : diagnostic::Range{}};
+    }
+
+  private:
+    const std::string& path_;
+    std::optional<eds::ValuePlaces> sheet_;
+};
+
 void read_node(const Arguments& arguments, const NodeOption& option, int device, BusMembers& members) {
-    const driver::DeviceDescription description = load_description(arguments, option.path, members.exit_code);
+    driver::DeviceDescription description = load_description(arguments, option.path, members.exit_code);
     if (!description.valid() || members.exit_code != exit_fine) {
         return;
     }
-    network::ForeignNode node = network::messages_of(description.dictionary, option.node_id, option.path);
+    const Places places(description);
+    network::ForeignNode node = network::messages_of(
+        description.dictionary, option.node_id, places.whole(),
+        [&](std::uint16_t index, std::uint8_t sub_index) { return places.of_object(index, sub_index); });
     for (std::size_t plant = 0; plant < members.plants.size(); ++plant) {
         const driver::CheckedFile& file = members.plants[plant];
         if (file.configuration.node_id == option.node_id &&
@@ -101,7 +127,8 @@ void read_node(const Arguments& arguments, const NodeOption& option, int device,
     network::DescribedNode described{.node_id = option.node_id,
                                      .offered_kbit = description.dictionary.device.bit_rates_kbit,
                                      .set_kbit = std::nullopt,
-                                     .where = {option.path, {}}};
+                                     .offered_where = places.of_key(eds::SectionKind::device_info, ""),
+                                     .set_where = places.of_key(eds::SectionKind::commissioning, "Baudrate")};
     if (description.commissioning) {
         described.set_kbit = description.commissioning->bit_rate_kbit;
     }
@@ -111,6 +138,7 @@ void read_node(const Arguments& arguments, const NodeOption& option, int device,
     }
     members.foreign.insert(members.foreign.end(), node.messages.begin(), node.messages.end());
     members.left_out.insert(members.left_out.end(), node.left_out.begin(), node.left_out.end());
+    members.sources.merge(description.sources);
 }
 
 }  // namespace

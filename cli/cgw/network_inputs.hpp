@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -40,9 +41,10 @@ std::vector<NodeOption> node_options(const Arguments& arguments);
 
 struct BusMembers {
     std::vector<driver::CheckedFile> plants;
-    std::vector<network::DescribedNode> nodes;  // of --node
-    std::vector<network::Message> foreign;      // their messages
-    std::vector<std::string> left_out;
+    std::vector<network::DescribedNode> nodes;   // of --node
+    std::vector<network::Message> foreign;       // their messages
+    std::vector<diagnostic::Related> left_out;   // what of them cannot be counted
+    std::map<std::string, std::string> sources;  // texts of the files, by path
     int exit_code = 0;
 };
 

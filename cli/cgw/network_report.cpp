@@ -7,6 +7,7 @@
 
 #include "base/canopen_text.hpp"
 #include "base/numbers.hpp"
+#include "base/text_cells.hpp"
 #include "base/utf8.hpp"
 #include "base/wrap.hpp"
 
@@ -83,6 +84,34 @@ std::size_t count_of(const Analysis& analysis, bool (*wanted)(const MessageResul
         std::count_if(analysis.messages.begin(), analysis.messages.end(), wanted));
 }
 
+std::vector<std::string> verdicts_of(const NetworkReport& report) {
+    if (!report.before) {
+        return {network_verdict(report, report.analysis, report.fails)};
+    }
+    return {"as it is, " + network_verdict(report, *report.before, report.fails_before),
+            fmt::format("with {}, {}", fmt::join(report.changes, " and "),
+                        network_verdict(report, report.analysis, report.fails))};
+}
+
+// How the table is to be read, and what is not in it.
+std::vector<std::string> notes_on(const NetworkReport& report) {
+    std::vector<std::string> notes{
+        "Times in ms: shortest period, worst-case response time, deadline.",
+        "`assumed`: nobody states it (D75); `event`: now and then, not in the average."};
+    for (const std::string& left_out : report.left_out) {
+        notes.push_back("not counted: " + left_out);
+    }
+    std::string ranges;
+    for (const network::IdentifierRange& range : report.map) {
+        if (range.use == network::Use::free) {
+            ranges += fmt::format("{}{}", ranges.empty() ? "" : ", ", base::identifier_text(range.first));
+            ranges += range.last == range.first ? "" : ".." + base::identifier_text(range.last);
+        }
+    }
+    notes.push_back("free identifiers: " + (ranges.empty() ? "none" : ranges));
+    return notes;
+}
+
 }  // namespace
 
 std::string network_verdict(const NetworkReport& report, const Analysis& analysis, bool fails) {
@@ -138,29 +167,32 @@ explain::Table network_table(const NetworkReport& report) {
 
 std::string network_text(const NetworkReport& report, bool with_map) {
     std::string text;
-    if (report.before) {
-        text += lines_of("as it is, " + network_verdict(report, *report.before, report.fails_before));
-        text += lines_of(fmt::format("with {}, {}", fmt::join(report.changes, " and "),
-                                     network_verdict(report, report.analysis, report.fails)));
-    } else {
-        text += lines_of(network_verdict(report, report.analysis, report.fails));
+    for (const std::string& verdict : verdicts_of(report)) {
+        text += lines_of(verdict);
     }
-    text += "\n" + explain::find_table_format("table")->render(network_table(report));
-    text +=
-        "\nTimes in ms: shortest period, worst-case response time, deadline.\n"
-        "`assumed`: nobody states it (D75); `event`: now and then, not in the average.\n";
-    for (const std::string& left_out : report.left_out) {
-        text += lines_of("not counted: " + left_out);
+    text += "\n" + explain::find_table_format("table")->render(network_table(report)) + "\n";
+    for (const std::string& note : notes_on(report)) {
+        text += lines_of(note);
     }
-    std::string ranges;
-    for (const network::IdentifierRange& range : report.map) {
-        if (range.use == network::Use::free) {
-            ranges += fmt::format("{}{}", ranges.empty() ? "" : ", ", base::identifier_text(range.first));
-            ranges += range.last == range.first ? "" : ".." + base::identifier_text(range.last);
+    return with_map ? text + "\n" + identifier_strip(report.map) : text;
+}
+
+std::string network_markdown(const NetworkReport& report) {
+    std::string text;
+    for (const std::string& verdict : verdicts_of(report)) {
+        text += fmt::format("**{}**\n\n", base::markdown_cell(verdict));
+    }
+    text += explain::find_table_format("md")->render(network_table(report)) + "\n";
+    for (const diagnostic::FileReport& file : report.findings) {
+        for (const diagnostic::Diagnostic& finding : file.findings) {
+            text += fmt::format("- {}: {} [{} {}]\n", diagnostic::to_text(finding.rule->level),
+                                base::markdown_cell(finding.message), finding.rule->code, finding.rule->name);
         }
     }
-    text += lines_of("free identifiers: " + (ranges.empty() ? "none" : ranges));
-    return with_map ? text + "\n" + identifier_strip(report.map) : text;
+    for (const std::string& note : notes_on(report)) {
+        text += fmt::format("- {}\n", base::markdown_cell(note));
+    }
+    return text;
 }
 
 }  // namespace cgw::cli

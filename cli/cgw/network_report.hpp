@@ -33,6 +33,7 @@ std::string network_verdict(const NetworkReport& report, const network::Analysis
 explain::Table network_table(const NetworkReport& report);
 
 std::string network_text(const NetworkReport& report, bool with_map);
+std::string network_markdown(const NetworkReport& report);
 std::string network_json(const NetworkReport& report);  // schemas/network-report.schema.json
 
 }  // namespace cgw::cli

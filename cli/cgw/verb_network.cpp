@@ -20,7 +20,7 @@ namespace {
 std::vector<Word> network_format_words() {
     return {{"text", "for people"},
             {"json", "one JSON document"},
-            {"md", "the messages as a Markdown table"},
+            {"md", "one Markdown document"},
             {"csv", "the messages as comma-separated values"}};
 }
 
@@ -106,6 +106,7 @@ void report(const Arguments& arguments, const BusMembers& members,
     for (const driver::CheckedFile& file : members.plants) {
         input.sources.insert(file.sources.begin(), file.sources.end());
     }
+    input.sources.insert(members.sources.begin(), members.sources.end());
     input.color = use_color(arguments, stderr);
     if (!findings.empty()) {
         report_findings(input);
@@ -115,10 +116,10 @@ void report(const Arguments& arguments, const BusMembers& members,
 network::Judged judge(const BusMembers& members, const NetworkOptions& options) {
     network::Judged judged = network::judge_bus(members_of(members), members.nodes,
                                                 all_messages(members, options), options.bus, options.bands);
-    for (const std::string& left_out : members.left_out) {
+    for (const diagnostic::Related& left_out : members.left_out) {
         judged.findings.report({.rule = &diagnostic::rules::message_not_counted,
-                                .message = left_out,
-                                .where = {members.plants.front().path, {}}});
+                                .message = left_out.message,
+                                .where = left_out.where});
     }
     return judged;
 }
@@ -130,6 +131,9 @@ std::string rendered(const Arguments& arguments, const NetworkReport& bus) {
     }
     if (format == "text") {
         return network_text(bus, arguments.given("--map"));
+    }
+    if (format == "md") {
+        return network_markdown(bus);
     }
     return explain::find_table_format(format)->render(network_table(bus));
 }
@@ -226,7 +230,9 @@ int run_network(const Arguments& arguments) {
     }
     bus.analysis = std::move(*judged.analysis);
     bus.map = network::identifier_map(judged.messages);
-    bus.left_out = members.left_out;
+    for (const diagnostic::Related& left_out : members.left_out) {
+        bus.left_out.push_back(left_out.message);
+    }
     bus.fails = judged.findings.has_errors();
     const int written = write_text(arguments.value("--output"), rendered(arguments, bus));
     return worse(written, bus.fails ? exit_findings : exit_fine);

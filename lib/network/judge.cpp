@@ -216,12 +216,12 @@ void judge_bit_rates(std::span<const DescribedNode> nodes, std::uint32_t bit_rat
             findings.report({.rule = &rules::bit_rate_not_offered,
                              .message = fmt::format("node {} has no {} kbit/s, by its description: it has {}",
                                                     node.node_id, bus, fmt::join(node.offered_kbit, ", ")),
-                             .where = node.where});
+                             .where = node.offered_where});
         } else if (node.set_kbit && *node.set_kbit * std::uint64_t{1000} != bit_rate) {
             findings.report({.rule = &rules::bit_rates_differ,
                              .message = fmt::format("node {} is set to {} kbit/s, and the bus has {}",
                                                     node.node_id, *node.set_kbit, bus),
-                             .where = node.where});
+                             .where = node.set_where});
         }
     }
 }

@@ -40,7 +40,8 @@ struct DescribedNode {
     std::uint8_t node_id = 0;
     std::vector<unsigned> offered_kbit;     // bit rates it supports, upwards; empty: not stated
     std::optional<std::uint32_t> set_kbit;  // what a DCF sets it to
-    diagnostic::Location where;
+    diagnostic::Location offered_where;     // where each stands
+    diagnostic::Location set_where;
 
     bool offers(std::uint32_t kbit) const;
 };

@@ -29,14 +29,14 @@ constexpr std::uint64_t us_per_inhibit_step = 100;
 
 class Node {
   public:
-    Node(const Dictionary& dictionary, std::uint8_t node_id, const std::string& path)
-        : dictionary_(dictionary), node_id_(node_id), where_{path, {}} {}
+    Node(const Dictionary& dictionary, std::uint8_t node_id, const Places& places)
+        : dictionary_(dictionary), node_id_(node_id), places_(places) {}
 
-    ForeignNode read() {
+    ForeignNode read(const diagnostic::Location& whole) {
         add_sync();
         add_emergency();
         add_heartbeat();
-        add_sdo(found_.messages, node_id_, where_);
+        add_sdo(found_.messages, node_id_, whole);
         for (const dictionary::Object& object : dictionary_.objects) {
             if (object.index >= first_receive_pdo && object.index < first_receive_pdo + pdo_numbers) {
                 add_pdo(object.index, false);
@@ -64,10 +64,12 @@ class Node {
     std::string own() const { return fmt::format("node {}", node_id_); }
 
     // The identifier; nothing after a text where it cannot be counted.
-    std::optional<std::uint32_t> identifier(std::uint64_t cob_id, const std::string& name) {
+    std::optional<std::uint32_t> identifier(std::uint64_t cob_id, const std::string& name,
+                                            const diagnostic::Location& where) {
         const auto low = static_cast<std::uint32_t>(cob_id);
         if ((low & extended_bit) != 0 || (low & ~(invalid_bit | producer_bit)) > cob::highest) {
-            found_.left_out.push_back(fmt::format("{} of {}: its identifier has 29 bits", name, own()));
+            found_.left_out.push_back(
+                {where, fmt::format("{} of {}: its identifier has 29 bits", name, own())});
             return std::nullopt;
         }
         return low & cob::highest;
@@ -79,8 +81,8 @@ class Node {
         if ((cob_id & producer_bit) == 0 || period_us == 0) {
             return;
         }
-        if (const auto found = identifier(cob_id, "SYNC")) {
-            add({.identifier = *found, .kind = Kind::sync, .name = "SYNC", .period_us = period_us});
+        if (const auto found = identifier(cob_id, "SYNC", places_(0x1005, 0))) {
+            add({.identifier = *found, .kind = Kind::sync, .name = "SYNC", .period_us = period_us}, 0x1006);
         }
     }
 
@@ -90,14 +92,15 @@ class Node {
             return;
         }
         const std::uint64_t inhibit_us = value_or_0(0x1015, 0) * us_per_inhibit_step;
-        if (const auto found = identifier(*cob_id, "EMCY")) {
+        if (const auto found = identifier(*cob_id, "EMCY", places_(0x1014, 0))) {
             add({.identifier = *found,
                  .bytes = 8,
                  .kind = Kind::emergency,
                  .release = Release::event,
                  .name = "EMCY",
                  .period_us = inhibit_us != 0 ? inhibit_us : assumed::emergency_us,
-                 .assumed = inhibit_us == 0});
+                 .assumed = inhibit_us == 0},
+                0x1014);
         }
     }
 
@@ -109,7 +112,8 @@ class Node {
                  .kind = Kind::heartbeat,
                  .name = "heartbeat",
                  .period_us = period_us,
-                 .deadline_us = period_us});
+                 .deadline_us = period_us},
+                0x1017);
         }
     }
 
@@ -130,7 +134,7 @@ class Node {
         if (!cob_id || *cob_id == 0 || (*cob_id & invalid_bit) != 0) {
             return;
         }
-        const auto found = identifier(*cob_id, name);
+        const auto found = identifier(*cob_id, name, places_(index, 1));
         if (!found) {
             return;
         }
@@ -139,7 +143,7 @@ class Node {
                         .kind = Kind::pdo,
                         .name = transmits ? name : fmt::format("{} of {}", name, own())};
         transmits ? time_transmitted(index, message) : time_received(index, message);
-        message.where = where_;
+        message.where = places_(index, 1);
         message.sender = transmits ? own() : "";
         found_.messages.push_back(std::move(message));
     }
@@ -181,22 +185,23 @@ class Node {
         message.receiver = true;
     }
 
-    void add(Message message) {
+    void add(Message message, std::uint16_t index) {
         message.sender = own();
-        message.where = where_;
+        message.where = places_(index, 0);
         found_.messages.push_back(std::move(message));
     }
 
     const Dictionary& dictionary_;
     unsigned node_id_;
-    diagnostic::Location where_;
+    const Places& places_;
     ForeignNode found_;
 };
 
 }  // namespace
 
-ForeignNode messages_of(const Dictionary& dictionary, std::uint8_t node_id, const std::string& path) {
-    return Node(dictionary, node_id, path).read();
+ForeignNode messages_of(const Dictionary& dictionary, std::uint8_t node_id, const diagnostic::Location& whole,
+                        const Places& places) {
+    return Node(dictionary, node_id, places).read(whole);
 }
 
 }  // namespace cgw::network

@@ -116,9 +116,13 @@ void judge_owners(std::span<const Member> members, std::span<const Message> mess
             continue;
         }
         if (are_in_conflict(message, other)) {
-            conflicts.report(message.where,
-                             fmt::format("{} is sent as {} and as {}", identifier_text(message.identifier),
-                                         other.label(), message.label()));
+            const std::string identifier = identifier_text(message.identifier);
+            conflicts.report(
+                message.where,
+                message.label() == other.label()
+                    ? fmt::format("{} is sent as two messages of {} and {} bytes, each called {}", identifier,
+                                  other.bytes, message.bytes, message.label())
+                    : fmt::format("{} is sent as {} and as {}", identifier, other.label(), message.label()));
             conflicts.relate(other.where, other.label());
         } else if (!message.assumed && !other.assumed && message.period_us != other.period_us) {
             differences.report(message.where,

@@ -2,10 +2,12 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
 #include "config/configuration.hpp"
+#include "diagnostic/diagnostic.hpp"
 #include "dictionary/dictionary.hpp"
 #include "network/message.hpp"
 #include "parameter/settings.hpp"
@@ -20,13 +22,17 @@ std::vector<Message> messages_of(const parameter::Settings& settings,
 
 struct ForeignNode {
     std::vector<Message> messages;
-    std::vector<std::string> left_out;  // what cannot be counted, as texts
+    std::vector<diagnostic::Related> left_out;  // what cannot be counted
 };
+
+// Where a description says what a sub-object holds.
+using Places = std::function<diagnostic::Location(std::uint16_t index, std::uint8_t sub_index)>;
 
 // What a node sends and receives by its objects: 1005h, 1006h (SYNC), 1014h, 1015h (EMCY), 1017h (heartbeat),
 // 1400h.., 1800h.. with 1600h.. and 1A00h.. (PDOs), SDO. Values of the one node (DCF) count before defaults.
+// `whole` is where the description as such stands.
 ForeignNode messages_of(const dictionary::Dictionary& dictionary, std::uint8_t node_id,
-                        const std::string& path);
+                        const diagnostic::Location& whole, const Places& places);
 
 // All messages of a bus from those of its members, by identifier. What is assumed goes where somebody states
 // it; the NMT commands of a master come in.

@@ -41,6 +41,12 @@ main_cycle_us = 10000
 """
 
 
+def place(path, start, column):
+    """Line and column of the first line that begins so."""
+    lines = path.read_text(encoding="latin-1").splitlines()
+    return f"{[line.startswith(start) for line in lines].index(True) + 1}:{column}"
+
+
 def plant(node=1, cycle=10, rate=125, first=0x680, tpdos=13, more=""):
     """A gateway with TPDO4.. of 8 bytes each."""
     return FULL.format(words=", ".join(str((2000, 2031, 2300)[i % 3]) for i in range(4 * tpdos)),
@@ -240,7 +246,8 @@ class Network(unittest.TestCase):
         self.write("slow.eds", eds.replace("BaudRate_500=1", "BaudRate_500=0").replace("BaudRate_1000=1", "BaudRate_1000=0"))
         self.write("plant.toml", plant(1, 500, first=0x690, rate=500))
         result = self.run_cgw("plant.toml", "--node", "slow.eds:12", code=1)
-        self.assertIn("slow.eds: error: node 12 has no 500 kbit/s, by its description: it has 125, 250 [E1114",
+        self.assertIn("slow.eds:{}: error: node 12 has no 500 kbit/s, by its description: it has 125, 250 [E1114"
+                      .format(place(self.dir / "slow.eds", "[DeviceInfo]", 2)),
                       " ".join(result.stderr.split()))
         self.run_cgw("plant.toml", "--node", "slow.eds:12", "--what-if", "baud=250", code=0)
         patch = self.run_cgw("plant.toml", "--node", "slow.eds:12", "--suggest", code=0).stdout
@@ -253,7 +260,8 @@ class Network(unittest.TestCase):
         self.assertEqual(rate.strip(), "Baudrate=250")
         self.write("plant.toml", plant(1, 500, first=0x690, rate=125))
         result = self.run_cgw("plant.toml", "--node", "node.dcf:12", code=1)
-        self.assertIn("node.dcf: error: node 12 is set to 250 kbit/s, and the bus has 125 [E1102",
+        self.assertIn("node.dcf:{}: error: node 12 is set to 250 kbit/s, and the bus has 125 [E1102"
+                      .format(place(self.dir / "node.dcf", "Baudrate=", len("Baudrate=") + 1)),
                       " ".join(result.stderr.split()))
         self.run_cgw("plant.toml", "--node", "node.dcf:12", "--what-if", "baud=500", code=0)
         patch = self.run_cgw("plant.toml", "--node", "node.dcf:12", "--suggest", code=0).stdout
@@ -270,6 +278,28 @@ class Network(unittest.TestCase):
                       " ".join(result.stderr.split()))
         self.write("b.toml", plant(2, 200, first=0x690, more=row.format(800)))
         self.assertNotIn("E1113", self.run_cgw("a.toml", "b.toml", code=0).stderr)
+
+    def test_findings_about_a_node_say_where_its_description_has_it(self):
+        self.run_cgw("eds", GENSET, "-o", "full.eds", verb="emit", code=0)
+        eds = (self.dir / "full.eds").read_text(encoding="latin-1")
+        own = eds[eds.index("[1800sub1]"):eds.index("[1800sub2]")]
+        default, = [line for line in own.splitlines() if line.startswith("DefaultValue=")]
+        self.write("foreign.eds", eds.replace(own, own.replace(default, "DefaultValue=0x690")))
+        self.write("extended.eds", eds.replace(own, own.replace(default, "DefaultValue=0x20000690")))
+        self.write("plant.toml", plant(1, 500, first=0x690, rate=500))
+        header = place(self.dir / "foreign.eds", "[1800sub1]", 0).split(":")[0]
+        line = int(header) + own.splitlines().index(default)
+        words = " ".join(self.run_cgw("plant.toml", "--node", "foreign.eds:12", code=1).stderr.split())
+        self.assertIn(f"foreign.eds:{line}:14: error: 690h is sent as", words)
+        self.assertIn("DefaultValue=0x690", words)  # the line is shown
+        words = " ".join(self.run_cgw("plant.toml", "--node", "extended.eds:12", code=0).stderr.split())
+        self.assertIn(f"extended.eds:{line}:14: warning: TPDO1 of node 12: its identifier has 29 bits", words)
+
+    def test_two_messages_of_one_name_and_identifier(self):
+        row = "[[network.message]]\nid = 0x300\nname = \"status\"\nbytes = {}\nperiod_ms = 600\n"
+        self.write("rows.toml", GENSET.read_text() + row.format(4) + row.format(8))
+        self.assertIn("300h is sent as two messages of 4 and 8 bytes, each called status",
+                      " ".join(self.run_cgw("rows.toml", code=1).stderr.split()))
 
     def test_errors_that_take_all_the_bus(self):
         sample = SAMPLES / "minimal.toml"
@@ -383,7 +413,15 @@ class Network(unittest.TestCase):
     def test_tables(self):
         rows = list(csv.DictReader(io.StringIO(self.run_cgw(GENSET, "--format", "csv", code=0).stdout)))
         self.assertEqual(rows[0]["message"], "NMT")
-        self.assertIn("| id | message |", self.run_cgw(GENSET, "--format", "md", code=0).stdout)
+        page = self.run_cgw(GENSET, "--format", "md", code=0).stdout
+        self.assertTrue(page.startswith("**it will work: 250 kbit/s, load "), page)
+        self.assertIn("\n\n| id | message |", page)
+        self.assertIn("\n\n- Times in ms: ", page)
+        self.write("full.toml", plant(rate=500))
+        page = self.run_cgw("full.toml", "--format", "md", "--what-if", "baud=125", code=1).stdout
+        self.assertTrue(page.startswith("**as it is, it will work: 500 kbit/s, load "), page)
+        self.assertIn("\n\n**with baud=125, it will not work: 125 kbit/s, load ", page)
+        self.assertRegex(page, r"\n- error: .* \[E1105 message-unbounded\]\n")
         self.run_cgw(GENSET, "--format", "csv", "-o", "out.csv", code=0)
         self.assertTrue((self.dir / "out.csv").exists())
 

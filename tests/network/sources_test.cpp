@@ -35,6 +35,12 @@ dictionary::Object record(std::uint16_t index, const std::vector<std::uint64_t>&
     return object;
 }
 
+const diagnostic::Location whole{"node.eds", {}};
+
+diagnostic::Location place_of(std::uint16_t index, std::uint8_t sub_index) {
+    return {"node.eds", {{index, sub_index}, {index, sub_index}}};
+}
+
 Message row(std::uint32_t identifier, const std::string& name, int plant, bool is_assumed = false) {
     Message message;
     message.identifier = identifier;
@@ -91,8 +97,14 @@ TEST(NodeMessages, follow_the_objects_of_the_node) {
                 object.index == 0x1014 || object.variables.size() == 6;
         }
     }
-    const ForeignNode found = messages_of(node, 7, "node.eds");
+    const ForeignNode found = messages_of(node, 7, whole, place_of);
     EXPECT_EQ(find(found.messages, 0x080)->period_us, 20'000U);
+    EXPECT_EQ(find(found.messages, 0x080)->where, place_of(0x1006, 0));
+    EXPECT_EQ(find(found.messages, 0x087)->where, place_of(0x1014, 0));
+    EXPECT_EQ(find(found.messages, 0x707)->where, place_of(0x1017, 0));
+    EXPECT_EQ(find(found.messages, 0x187)->where, place_of(0x1800, 1));
+    EXPECT_EQ(find(found.messages, 0x207)->where, place_of(0x1400, 1));
+    EXPECT_EQ(find(found.messages, 0x587)->where, whole);
     EXPECT_EQ(find(found.messages, 0x087)->period_us, 5'000U);
     EXPECT_EQ(find(found.messages, 0x707)->period_us, 250'000U);
     EXPECT_EQ(find(found.messages, 0x187)->period_us, 2'000U);  // the event timer is the longest time
@@ -110,7 +122,8 @@ TEST(NodeMessages, follow_the_objects_of_the_node) {
     EXPECT_EQ(rpdo->period_us, 50'000U);
     EXPECT_EQ(rpdo->deadline_us, 100'000U);
     ASSERT_EQ(found.left_out.size(), 1U);
-    EXPECT_EQ(found.left_out[0], "TPDO5 of node 7: its identifier has 29 bits");
+    EXPECT_EQ(found.left_out[0].message, "TPDO5 of node 7: its identifier has 29 bits");
+    EXPECT_EQ(found.left_out[0].where, place_of(0x1804, 1));
 }
 
 TEST(Merging, a_statement_takes_the_place_of_an_assumption) {
@@ -187,7 +200,7 @@ namespace {
 std::vector<Message> described(std::uint64_t heartbeat_us, int device) {
     dictionary::Dictionary node;
     node.objects = {record(0x1017, {heartbeat_us / 1000})};
-    std::vector<Message> messages = messages_of(node, 1, "node.eds").messages;
+    std::vector<Message> messages = messages_of(node, 1, whole, place_of).messages;
     for (Message& message : messages) {
         message.plant = device;
     }
@@ -236,7 +249,8 @@ TEST(NodeIds, belong_to_one_device) {
 TEST(Judging, nodes_have_the_bit_rate_of_the_bus) {
     const auto told = [](std::vector<unsigned> offered, std::optional<std::uint32_t> set,
                          std::uint32_t bit_rate) {
-        const DescribedNode node{.node_id = 5, .offered_kbit = offered, .set_kbit = set, .where = {}};
+        const DescribedNode node{
+            .node_id = 5, .offered_kbit = offered, .set_kbit = set, .offered_where = {}, .set_where = {}};
         diagnostic::Findings findings;
         judge_bit_rates(std::vector{node}, bit_rate, findings);
         return findings.all().empty()
