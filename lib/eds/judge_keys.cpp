@@ -32,7 +32,8 @@ bool has_free_keys(SectionKind kind) {
 
 bool is_object_list(SectionKind kind) {
     return kind == SectionKind::mandatory_objects || kind == SectionKind::optional_objects ||
-           kind == SectionKind::manufacturer_objects;
+           kind == SectionKind::manufacturer_objects || kind == SectionKind::module_fixed_objects ||
+           kind == SectionKind::module_sub_extends;
 }
 
 bool is_entry(const Reading& reading, std::uint32_t line) {
@@ -179,6 +180,8 @@ std::string_view count_key(SectionKind kind) {
         case SectionKind::denotations:
         case SectionKind::supported_modules:
         case SectionKind::connected_modules:
+        case SectionKind::module_fixed_objects:
+        case SectionKind::module_sub_extends:
             return "NrOfEntries";
         case SectionKind::comments:
         case SectionKind::module_comments:
@@ -194,7 +197,8 @@ std::string_view count_key(SectionKind kind) {
 
 void judge_free_keys(Reading& reading) {
     for (std::uint32_t number = 0; number < reading.document.sections().size(); ++number) {
-        const SectionKind kind = reading.sections.name(number).kind;
+        const SectionName& name = reading.sections.name(number);
+        const SectionKind kind = name.kind;
         if (!has_free_keys(kind)) {
             continue;
         }
@@ -208,7 +212,7 @@ void judge_free_keys(Reading& reading) {
         if (!counts_upwards(reading, section, kind)) {
             judge_repeats(reading, section, kind);
         }
-        if (is_object_list(kind) && reading.sections.find(kind) == number) {
+        if (is_object_list(kind) && reading.sections.find({.kind = kind, .module = name.module}) == number) {
             judge_list_values(reading, section);
         }
     }

@@ -261,6 +261,14 @@ TEST(EdsReader, reads_modules) {
     EXPECT_EQ(result.sheet.dictionary.find(0x2100), nullptr) << "belongs to the module";
 }
 
+TEST(EdsReader, tells_entries_of_lists_that_are_no_numbers) {
+    for (const char* list : {"[OptionalObjects]", "[M1FixedObjects]", "[M1SubExtends]"}) {
+        const Result result(std::string(list) + "\nNrOfEntries=x\n1=foo\n2=\n3=0x2000\n");
+        const std::string count = std::string(list) == "[OptionalObjects]" ? "" : "2:13 eds-value\n";
+        EXPECT_EQ(result.told(), count + "3:3 eds-value\n4:3 eds-value\n") << list;
+    }
+}
+
 TEST(EdsReader, tells_what_it_cannot_read_and_reads_the_rest) {
     const Result result(
         "stray=1\n[2000]\nDataType=7\nnot an entry\n[2001]\nAccessType=ro\nDataType=0x99\n[2002\nDataType=5\n"
