@@ -78,6 +78,7 @@ const Check table[] = {
     {&rules::eds_limits, check_limits},
     {&rules::eds_value_limits, check_values_in_limits},
     {&rules::eds_signed_value, check_signed_values},
+    {&rules::eds_formula_place, check_formula_places},
     {&rules::eds_mappable_rw, check_mappable_access, refused},
     {&rules::eds_mappable_type, check_mappable_types},
 

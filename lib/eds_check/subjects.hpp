@@ -67,6 +67,7 @@ void check_leading_zeros(const Context& context);
 void check_limits(const Context& context);
 void check_values_in_limits(const Context& context);
 void check_signed_values(const Context& context);
+void check_formula_places(const Context& context);
 void check_domain_defaults(const Context& context);
 void check_mappable_access(const Context& context);
 void check_mappable_types(const Context& context);

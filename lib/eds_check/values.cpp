@@ -76,6 +76,30 @@ bool overflows(const Value& value, std::uint8_t node_id, const TypeRow& type) {
     return value.number <= highest && node_id > highest - value.number;
 }
 
+// Sub-indices of objects that are those of the device, whatever its node number.
+struct DeviceRow {
+    std::uint16_t first;
+    std::uint16_t last;
+    std::uint8_t first_sub_index;
+    std::uint8_t last_sub_index;
+};
+constexpr std::uint8_t any = 0xFF;
+constexpr std::uint8_t transmission_type = 2;
+constexpr std::array device_values{DeviceRow{0x1000, 0x1001, 0, 0},
+                                   DeviceRow{0x1018, 0x1018, 0, any},
+                                   DeviceRow{0x1400, 0x15FF, transmission_type, transmission_type},
+                                   DeviceRow{0x1600, 0x17FF, 0, any},
+                                   DeviceRow{0x1800, 0x19FF, transmission_type, transmission_type},
+                                   DeviceRow{0x1A00, 0x1BFF, 0, any}};
+
+bool is_of_device(const Part& part) {
+    return (part.is_sub_object && part.sub_index == 0) ||
+           std::any_of(device_values.begin(), device_values.end(), [&](const DeviceRow& row) {
+               return part.index >= row.first && part.index <= row.last &&
+                      part.sub_index >= row.first_sub_index && part.sub_index <= row.last_sub_index;
+           });
+}
+
 // The number that begins with 0 without being hexadecimal, also in $NODEID+number; nothing for other texts.
 std::optional<Span> octal_in(const Context& context, std::uint32_t line) {
     Span span = context.document.value_span(line);
@@ -214,6 +238,25 @@ void check_values_in_limits(const Context& context) {
                                        fmt::format("{} of {} {}", name, context.label(part), what));
             }
         }
+    });
+}
+
+void check_formula_places(const Context& context) {
+    for_each_part(context, [&](const Group&, const Part& part) {
+        if (part.variable == nullptr || !is_of_device(part)) {
+            return;
+        }
+        const auto judge = [&](ObjectKey key, bool follows) {
+            if (follows && context.stated(part.lines[key])) {
+                context.reading.report(
+                    rules::eds_formula_place, context.document.value_span(part.lines[key]),
+                    fmt::format("{}, and the value of {} is the same for every node",
+                                context.reading.quoted_value(part.lines[key]), context.label(part)));
+            }
+        };
+        judge(ObjectKey::default_value, part.variable->default_value.node_id_relative);
+        judge(ObjectKey::parameter_value,
+              part.variable->parameter_value && part.variable->parameter_value->node_id_relative);
     });
 }
 

@@ -5,6 +5,7 @@
 
 // clang-format off
 #define CGW_EDS_CHECK_RULES(RULE) \
+    RULE(eds_formula_place) \
     RULE(eds_line_length) \
     RULE(eds_character) \
     RULE(eds_byte_order_mark) \

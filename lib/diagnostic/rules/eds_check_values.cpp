@@ -79,6 +79,22 @@ const Rule eds_signed_value{
     .good =
         "[2001sub1]\n"
         "DefaultValue=-1\n"};
+const Rule eds_formula_place{
+    .code = "E0818",
+    .name = "eds-formula-place",
+    .level = Level::warning,
+    .summary = "a value that is the same for every node does not follow the node number",
+    .reference = "CiA 301",
+    .why =
+        "The device type, the identity, the number of sub-objects, what is mapped into a PDO and when it is "
+        "sent are those of the device. With $NODEID in them every node would be another device.",
+    .example = Example::data_sheet_lines,
+    .bad =
+        "[1018sub0]\n"
+        "DefaultValue=$NODEID+1\n",
+    .good =
+        "[1018sub0]\n"
+        "DefaultValue=1\n"};
 const Rule eds_mappable_rw{.code = "E0865",
                            .name = "eds-mappable-rw",
                            .level = Level::note,
