@@ -29,6 +29,8 @@ void compare_node(Proof& proof, const emit::Plant& plant, const dictionary::Comm
     }
     add_if(proof, "node-id", "node-ID", fmt::format("{}", plant.configuration.node_id),
            fmt::format("{}", node.node_id));
+    // The gateway is a slave; whoever makes it a manager of the network means another device.
+    add_if(proof, "manager", "CANopen manager", "no", node.canopen_manager ? "yes" : "no");
 }
 
 }  // namespace

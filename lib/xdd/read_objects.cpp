@@ -96,8 +96,7 @@ class ObjectReader {
                 return;
             }
             const Element here{sub, parameters_.of(sub)};
-            const ObjectCode code = stated_code(sub).value_or(ObjectCode::var);
-            std::optional<Variable> variable = read_variable(source_, parameters_, here, code);
+            std::optional<Variable> variable = read_variable(source_, parameters_, here, sub_code_of(sub));
             if (variable) {
                 variable->sub_index = static_cast<std::uint8_t>(*sub_index);
                 variable->name = name_of(here);
@@ -130,6 +129,17 @@ class ObjectReader {
             return std::nullopt;
         }
         return *code;
+    }
+
+    ObjectCode sub_code_of(pugi::xml_node sub) {
+        const ObjectCode code = stated_code(sub).value_or(ObjectCode::var);
+        if (code != ObjectCode::var && code != ObjectCode::domain) {
+            const pugi::xml_attribute stated = sub.attribute("objectType");
+            source_.report(rules::xdd_sub_object_type, sub, stated,
+                           fmt::format("{}; a sub-object is 7 (VAR) or 2 (DOMAIN)", quoted(stated)));
+            return ObjectCode::var;
+        }
+        return code;
     }
 
     ObjectCode code_of(pugi::xml_node element) {

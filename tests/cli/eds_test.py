@@ -339,12 +339,25 @@ class Verify(Case):
             differences = json.loads(result.stdout)["artefacts"][0]["differences"]
             self.assertEqual([difference["aspect"] for difference in differences], [aspect])
 
+    def test_the_gateway_is_no_manager_of_the_network(self):
+        dcf = self.dir / "CANopenGateway.dcf"
+        text = cgw("emit", "dcf", GENSET).stdout
+        for old, new, aspect in ((b"CANopenManager=0", b"CANopenManager=1", "manager"), (b"NodeID=12", b"NodeID=13", "node-id"),
+                                 (b"Baudrate=250", b"Baudrate=125", "bit-rate")):
+            self.assertEqual(text.count(old), 1)
+            dcf.write_bytes(text.replace(old, new))
+            result = cgw("verify", GENSET, "--eds", dcf, "--format", "json")
+            self.assertEqual(result.returncode, 1)
+            differences = json.loads(result.stdout)["artefacts"][0]["differences"]
+            self.assertIn(aspect, [difference["aspect"] for difference in differences])
+
     def test_an_xdd_that_contradicts_itself_fails(self):
         xdd = self.dir / "plant.xdd"
         xdd.write_bytes(cgw("emit", "xdd", GENSET).stdout)
         self.assertEqual(cgw("verify", GENSET, "--eds", xdd).returncode, 0)
         for old, new, rule in ((b'<co:defaultValue value="0x00000681"', b'<co:defaultValue value="0x00000682"', b"E0912"),
-                               (b'subNumber="5"', b'subNumber="99"', b"E0916")):
+                               (b'subNumber="5"', b'subNumber="99"', b"E0916"),
+                               (b'subIndex="01" name="COB-ID" objectType="7"', b'subIndex="01" name="COB-ID" objectType="8"', b"E0917")):
             text = cgw("emit", "xdd", GENSET).stdout
             self.assertIn(old, text)
             xdd.write_bytes(text.replace(old, new, 1))

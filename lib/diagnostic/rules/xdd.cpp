@@ -1,4 +1,4 @@
-// E0901..E0916: XML device descriptions and configurations (XDD, XDC).
+// E0901..E0917: XML device descriptions and configurations (XDD, XDC).
 #include "diagnostic/rules/xdd.hpp"
 
 namespace cgw::diagnostic::rules {
@@ -267,6 +267,24 @@ const Rule xdd_sub_number{
         "accessType=\"ro\" defaultValue=\"1\"/>\n"
         "<CANopenSubObject subIndex=\"01\" name=\"One\" objectType=\"7\" dataType=\"0007\" "
         "accessType=\"ro\"/>\n"
+        "</CANopenObject>\n"};
+const Rule xdd_sub_object_type{
+    .code = "E0917",
+    .name = "xdd-sub-object-type",
+    .level = Level::warning,
+    .summary = "a sub-object is one value: a VAR or a DOMAIN",
+    .reference = "CiA 311",
+    .why = "It is read as a VAR. A tool that takes it for an ARRAY or RECORD looks for sub-objects of it.",
+    .example = Example::device_description,
+    .bad =
+        "<CANopenObject index=\"2000\" name=\"Values\" objectType=\"9\" subNumber=\"1\">\n"
+        "<CANopenSubObject subIndex=\"00\" name=\"Highest\" objectType=\"8\" dataType=\"0005\" "
+        "accessType=\"ro\" defaultValue=\"0\"/>\n"
+        "</CANopenObject>\n",
+    .good =
+        "<CANopenObject index=\"2000\" name=\"Values\" objectType=\"9\" subNumber=\"1\">\n"
+        "<CANopenSubObject subIndex=\"00\" name=\"Highest\" objectType=\"7\" dataType=\"0005\" "
+        "accessType=\"ro\" defaultValue=\"0\"/>\n"
         "</CANopenObject>\n"};
 
 }  // namespace cgw::diagnostic::rules

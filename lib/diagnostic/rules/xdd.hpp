@@ -20,7 +20,8 @@
     RULE(xdd_twice) \
     RULE(xdd_no_type) \
     RULE(xdd_bit_rate) \
-    RULE(xdd_sub_number)
+    RULE(xdd_sub_number) \
+    RULE(xdd_sub_object_type)
 // clang-format on
 
 namespace cgw::diagnostic::rules {
