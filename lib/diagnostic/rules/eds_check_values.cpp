@@ -91,10 +91,10 @@ const Rule eds_formula_place{
     .example = Example::data_sheet_lines,
     .bad =
         "[1018sub0]\n"
-        "DefaultValue=$NODEID+1\n",
+        "DefaultValue=$NODEID+4\n",
     .good =
         "[1018sub0]\n"
-        "DefaultValue=1\n"};
+        "DefaultValue=4\n"};
 const Rule eds_mappable_rw{.code = "E0865",
                            .name = "eds-mappable-rw",
                            .level = Level::note,
