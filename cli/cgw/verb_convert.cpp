@@ -9,6 +9,9 @@
 #include "cli/cgw/terminal.hpp"
 #include "cli/cgw/verbs.hpp"
 #include "convert/formats.hpp"
+#include "diagnostic/rules/eds.hpp"
+#include "diagnostic/rules/xdd.hpp"
+#include "eds/value_places.hpp"
 
 namespace cgw::cli {
 namespace {
@@ -40,9 +43,9 @@ constexpr Option convert_options[] = {
 
 constexpr std::string_view convert_details =
     "What kind FILE is, is told from its content. A file with errors is refused.\n"
-    "An EDS or XDD becomes the DCF or XDC of one node with --node-id: formulas with\n"
-    "$NODEID are resolved, and objects that no PDO carries get their defaults as\n"
-    "values. What the new format cannot hold is told on standard error, with how\n"
+    "An EDS or XDD becomes the DCF, XDC or concise DCF of one node with --node-id:\n"
+    "formulas with $NODEID are resolved, and objects that no PDO carries get their\n"
+    "defaults as values. What the new format cannot hold is told on standard error, with how\n"
     "often it was there; docs/conversions.md lists it. So is what is not carried\n"
     "over: keys of vendors, comments, elements of an XDD that are of no object, and\n"
     "sections that say nothing of objects, which only EDS and DCF keep.\n"
@@ -105,6 +108,25 @@ void tell_losses(const convert::Product& product, const convert::Format& format)
     }
 }
 
+// The file is at fault, or the node number.
+int report_overflow(const Arguments& arguments, const driver::DeviceDescription& description,
+                    const convert::Refusal& refusal) {
+    const bool is_sheet = driver::is_eds(description.kind);
+    const diagnostic::Range place = is_sheet ? eds::ValuePlaces(description.sources.at(description.path))
+                                                   .of_object(*refusal.index, refusal.sub_index)
+                                             : diagnostic::Range{};
+    diagnostic::RenderInput input;
+    input.files.push_back(
+        {description.path,
+         {{.rule = is_sheet ? &diagnostic::rules::eds_number_range : &diagnostic::rules::xdd_number_range,
+           .message = refusal.why,
+           .where = {description.path, place}}}});
+    input.sources = description.sources;
+    input.color = use_color(arguments, stderr);
+    report_findings(input);
+    return exit_findings;
+}
+
 int run_convert(const Arguments& arguments) {
     const std::string path = arguments.value("FILE");
     const std::string output = arguments.value("--output");
@@ -124,8 +146,11 @@ int run_convert(const Arguments& arguments) {
     const auto product =
         convert::convert({description.dictionary, description.commissioning, description.sections},
                          {.format = format, .node_id = node_id, .file_name = file_name});
+    if (!product && product.error().index) {
+        return report_overflow(arguments, description, product.error());
+    }
     if (!product) {
-        throw UsageError(fmt::format("{}: {}", path, product.error().message));
+        throw UsageError(fmt::format("{}: {}", path, product.error().why));
     }
     if (const int written = write_text(output, {product->bytes.begin(), product->bytes.end()});
         written != exit_fine) {
@@ -135,6 +160,9 @@ int run_convert(const Arguments& arguments) {
     unread.insert(unread.end(), description.unread.begin(), description.unread.end());
     tell_unread(unread);
     tell_losses(*product, format);
+    if (product->no_entries) {
+        fmt::print(stderr, "the list has no entries: no value differs from its default\n");
+    }
     return exit_fine;
 }
 

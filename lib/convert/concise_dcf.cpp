@@ -184,4 +184,9 @@ base::Bytes concise_dcf(const std::vector<Download>& downloads) {
     return bytes;
 }
 
+bool is_without_entries(const base::Bytes& concise_dcf) {
+    constexpr std::size_t of_count = 4;
+    return concise_dcf.size() == of_count;
+}
+
 }  // namespace cgw::convert

@@ -27,5 +27,6 @@ std::vector<Download> downloads(const dictionary::Dictionary& configuration, std
 
 // Number of entries, then each as index, sub-index, number of bytes and bytes: u32, then u16, u8, u32.
 base::Bytes concise_dcf(const std::vector<Download>& downloads);
+bool is_without_entries(const base::Bytes& concise_dcf);
 
 }  // namespace cgw::convert

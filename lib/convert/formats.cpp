@@ -56,8 +56,8 @@ constexpr std::array table{
            std::nullopt, About::node, write_concise_dcf},
     Format{"json", "all of it, for programs (schemas/device-description.schema.json)", ".json", std::nullopt,
            About::either, write_json},
-    Format{"md", "table of the objects, in Markdown", ".md", std::nullopt, About::either, write_markdown},
-    Format{"csv", "table of the objects, for spreadsheets", ".csv", std::nullopt, About::either, write_csv},
+    Format{"md", "table of the objects, in Markdown", ".md", Medium::markdown, About::either, write_markdown},
+    Format{"csv", "table of the objects, for spreadsheets", ".csv", Medium::csv, About::either, write_csv},
 };
 
 std::size_t count_relative(const Dictionary& dictionary) {
@@ -70,11 +70,22 @@ std::size_t count_relative(const Dictionary& dictionary) {
     return count;
 }
 
+// What is to be read back holds its own name, and sections that say nothing of objects.
+bool is_table(const Format& format) {
+    return format.medium == Medium::markdown || format.medium == Medium::csv;
+}
+bool holds_sections(const Format& format) {
+    return format.medium == Medium::eds || format.medium == Medium::dcf;
+}
+
+tl::unexpected<Refusal> refused(std::string why) {
+    return tl::unexpected<Refusal>(Refusal{std::move(why)});
+}
+
 dictionary::Commissioning new_node(const Dictionary& dictionary, std::uint8_t node_id) {
     constexpr std::uint16_t identity = 0x1018;
     constexpr std::uint8_t serial_number = 4;
     dictionary::Commissioning node;
-    node.last_eds = dictionary.file.file_name;
     node.node_id = node_id;
     node.node_name = dictionary.device.product_name;
     const dictionary::Variable* const serial = dictionary.find(identity, serial_number);
@@ -102,47 +113,48 @@ bool overflows(const dictionary::Variable& variable, std::uint8_t node_id) {
            any(variable.parameter_value);
 }
 
-// What is wrong with the first formula that makes too large a number for its type; "" for none.
-std::string overflow(const Dictionary& dictionary, std::uint8_t node_id) {
+// The first formula that makes too large a number for its type.
+std::optional<Refusal> overflow(const Dictionary& dictionary, std::uint8_t node_id) {
     for (const dictionary::Object& object : dictionary.objects) {
         for (const dictionary::Variable& variable : object.variables) {
             if (overflows(variable, node_id)) {
-                return fmt::format("{}: a formula with $NODEID makes too large a number for {} in node {}",
-                                   base::object_text(object.index, variable.sub_index),
-                                   dictionary::row_of(variable.type).name, node_id);
+                return Refusal{
+                    fmt::format("{}: a formula with $NODEID makes too large a number for {} in node {}",
+                                base::object_text(object.index, variable.sub_index),
+                                dictionary::row_of(variable.type).name, node_id),
+                    object.index, variable.sub_index};
             }
         }
     }
-    return "";
+    return std::nullopt;
 }
 
 // The description of a kind of device becomes that of one node of it.
-base::Result<void> make_node(Description& description, const Request& request, Product& product) {
+tl::expected<void, Refusal> make_node(Description& description, const Request& request, Product& product) {
     if (!description.node) {
-        if (request.format.write == write_concise_dcf) {
-            return base::failure(
-                "the file says of no node which values it has; a concise DCF is made of a DCF or XDC");
-        }
         if (!request.node_id) {
-            return base::failure(
+            return refused(
                 fmt::format("--node-id is needed: {} is about one node, and the file does not say which",
                             request.format.name));
         }
         description.node = new_node(description.dictionary, *request.node_id);
-        if (std::string why = overflow(description.dictionary, *request.node_id); !why.empty()) {
-            return base::failure(std::move(why));
+        if (request.format.medium == Medium::dcf) {
+            description.node->last_eds = description.dictionary.file.file_name;
+        }
+        if (auto refusal = overflow(description.dictionary, *request.node_id)) {
+            return tl::unexpected<Refusal>(std::move(*refusal));
         }
         product.resolved = count_relative(description.dictionary);
         description.dictionary = dictionary::of_node(std::move(description.dictionary), *request.node_id);
     } else if (description.node->node_id == 0 && !request.node_id) {
-        return base::failure("--node-id is needed: the file leaves the node number open");
+        return refused("--node-id is needed: the file leaves the node number open");
     }
     if (request.node_id && description.node->node_id == 0) {
         description.node->node_id = *request.node_id;
     }
     product.node_id = description.node->node_id;
-    if (std::string why = overflow(description.dictionary, product.node_id); !why.empty()) {
-        return base::failure(std::move(why));
+    if (auto refusal = overflow(description.dictionary, product.node_id)) {
+        return tl::unexpected<Refusal>(std::move(*refusal));
     }
     return {};
 }
@@ -168,15 +180,15 @@ const Format* format_of_file(std::string_view file_name) {
     return found != table.end() ? found : nullptr;
 }
 
-base::Result<Product> convert(Description description, const Request& request) {
+tl::expected<Product, Refusal> convert(Description description, const Request& request) {
     Product product;
     const bool has_node = description.node && description.node->node_id != 0;
     if (has_node && request.node_id && *request.node_id != description.node->node_id) {
-        return base::failure(
+        return refused(
             fmt::format("the file is about node {}; leave --node-id out", description.node->node_id));
     }
     if (request.format.about != About::node && request.node_id) {
-        return base::failure(fmt::format(
+        return refused(fmt::format(
             "--node-id is for formats that are about one node, dcf, xdc and concise-dcf; {} keeps $NODEID as "
             "it stands",
             request.format.name));
@@ -188,15 +200,15 @@ base::Result<Product> convert(Description description, const Request& request) {
     }
     if (request.format.medium) {
         product.losses = lose(description, *request.format.medium);
-        if (!request.file_name.empty()) {
+        if (!request.file_name.empty() && !is_table(request.format)) {
             description.dictionary.file.file_name = request.file_name;
         }
     }
-    const bool holds_sections = request.format.medium == Medium::eds || request.format.medium == Medium::dcf;
-    if (!holds_sections) {
+    if (!holds_sections(request.format)) {
         product.lost_sections = unread_of(description.sections);
     }
     product.bytes = request.format.write(description);
+    product.no_entries = request.format.write == write_concise_dcf && is_without_entries(product.bytes);
     return product;
 }
 

@@ -21,7 +21,7 @@ struct Format {
     std::string_view name;         // "dcf"
     std::string_view summary;      // one line
     std::string_view ending;       // ".dcf"
-    std::optional<Medium> medium;  // what it loses; nothing for what is not meant to be read back
+    std::optional<Medium> medium;  // what it loses; nothing: all, or what a node is given and no more
     // What it is about: a kind of device, one node, or either.
     enum class About : std::uint8_t { device, node, either } about;
     base::Bytes (*write)(const Description& description);
@@ -43,10 +43,17 @@ struct Product {
     std::vector<Unread> lost_sections;
     std::size_t resolved = 0;  // values that followed the node number, and do no more
     std::uint8_t node_id = 0;  // for which they are resolved
+    bool no_entries = false;   // of a concise DCF: every value is the default
 };
 
-// A failure says what the description lacks for that format, or that the node number does not fit: the format
-// has no use for it, the description states another one, or a formula with it makes too large a number.
-base::Result<Product> convert(Description description, const Request& request);
+// Why there is no product: the request does not fit the description, or a formula with the node number makes
+// too large a number, at this sub-object.
+struct Refusal {
+    std::string why;  // lower case, no final period
+    std::optional<std::uint16_t> index{};
+    std::uint8_t sub_index = 0;
+};
+
+tl::expected<Product, Refusal> convert(Description description, const Request& request);
 
 }  // namespace cgw::convert

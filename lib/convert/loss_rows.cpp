@@ -16,10 +16,11 @@ using dictionary::Object;
 using dictionary::Value;
 using dictionary::Variable;
 
-constexpr std::array in_sheets{Medium::eds, Medium::xdd};
-constexpr std::array in_xml{Medium::xdd, Medium::xdc};
-constexpr std::array in_sections{Medium::eds, Medium::dcf};
-constexpr std::array but_in_dcf{Medium::eds, Medium::xdd, Medium::xdc};
+constexpr Media in_sheets = in(Medium::eds) | in(Medium::xdd);
+constexpr Media in_xml = in(Medium::xdd) | in(Medium::xdc);
+constexpr Media in_sections = in(Medium::eds) | in(Medium::dcf);
+constexpr Media in_tables = in(Medium::markdown) | in(Medium::csv);
+constexpr Media but_in_dcf = in_sheets | in_xml;
 
 template <typename Visit>
 void each_variable(Description& description, Visit visit) {
@@ -192,6 +193,22 @@ std::size_t lose_node(Description& description) {
     return is_there ? 1 : 0;
 }
 
+std::size_t lose_flags(Description& description) {
+    std::size_t count = 0;
+    for (Object& object : description.dictionary.objects) {
+        count += std::exchange(object.flags, 0) != 0 ? 1U : 0U;
+    }
+    each_variable(description,
+                  [&count](Variable& variable) { count += std::exchange(variable.flags, 0) != 0 ? 1U : 0U; });
+    return count;
+}
+
+// All of something that stands there once.
+template <typename Part>
+std::size_t lose_part(Part& part) {
+    return std::exchange(part, Part{}) != Part{} ? 1 : 0;
+}
+
 std::size_t lose_serial_number(Description& description) {
     return description.node && std::exchange(description.node->serial_number, 0) != 0 ? 1 : 0;
 }
@@ -247,31 +264,41 @@ std::size_t lose_controls(Description& description) {
 std::span<const LossRow> loss_rows() {
     static constexpr std::array rows{
         LossRow{"values that one node is given", in_sheets, lose_values},
-        LossRow{"denotations", in_sheets, lose_denotations},
-        LossRow{"names of files of domains (UploadFile, DownloadFile)", but_in_dcf, lose_files},
-        LossRow{"name of the data sheet that a configuration comes from (LastEDS)", but_in_dcf,
+        LossRow{"denotations", in_sheets | in_tables, lose_denotations},
+        LossRow{"names of files of domains (UploadFile, DownloadFile)", but_in_dcf | in_tables, lose_files},
+        LossRow{"name of the data sheet that a configuration comes from (LastEDS)", but_in_dcf | in_tables,
                 [](Description& d) { return d.node ? take(d.node->last_eds) : 0; }},
-        LossRow{"serial number for LSS", but_in_dcf, lose_serial_number},
-        LossRow{"list of connected modules", but_in_dcf,
+        LossRow{"serial number for LSS", but_in_dcf | in(Medium::csv), lose_serial_number},
+        LossRow{"list of connected modules", but_in_dcf | in(Medium::csv),
                 [](Description& d) { return d.node ? take_all(d.node->connected_modules) : 0; }},
-        LossRow{"node number, name, bit rate and network of one node", in_sheets, lose_node},
-        LossRow{"modules of a modular device", in_xml,
+        LossRow{"node number, name, bit rate and network of one node", in_sheets | in(Medium::csv),
+                lose_node},
+        LossRow{"modules of a modular device", in_xml | in_tables,
                 [](Description& d) { return take_all(d.dictionary.modules); }},
-        LossRow{"links between objects (ObjectLinks)", in_xml, lose_links},
-        LossRow{"dummies of other types than 0001h to 0007h", in_xml, lose_dummies},
-        LossRow{"CompactPDO; the objects that it stands for are written out", in_xml,
+        LossRow{"links between objects (ObjectLinks)", in_xml | in_tables, lose_links},
+        LossRow{"dummies of other types than 0001h to 0007h", in_xml | in_tables, lose_dummies},
+        LossRow{"CompactPDO; the objects that it stands for are written out", in_xml | in_tables,
                 [](Description& d) -> std::size_t {
                     return std::exchange(d.dictionary.device.compact_pdo, 0) != 0 ? 1 : 0;
                 }},
+        LossRow{"flags (ObjFlags)", in_tables, lose_flags},
+        LossRow{"dummies", in_tables,
+                [](Description& d) { return take_all(d.dictionary.supported_dummies); }},
+        LossRow{"comments", in_tables, [](Description& d) { return take_all(d.dictionary.comments); }},
+        LossRow{"vendor, product and features of the device", in(Medium::csv),
+                [](Description& d) { return lose_part(d.dictionary.device); }},
+        LossRow{"what the file says of itself", in(Medium::csv),
+                [](Description& d) { return lose_part(d.dictionary.file); }},
         LossRow{"an EDSVersion that is not 4.0", in_xml, lose_eds_version},
         LossRow{"dates and times that are not mm-dd-yyyy and hh:mmAM", in_xml, lose_other_dates},
         LossRow{"in texts: control characters, and bytes that are not UTF-8, which become Latin-1", in_xml,
                 lose_controls},
         LossRow{"in texts: accents and signs beyond ASCII, semicolons, what exceeds a line of 255",
                 in_sections, lose_wide_texts},
-        LossRow{"in strings that objects hold: line ends, and blanks at the ends", in_sections,
-                lose_line_ends},
-        LossRow{"empty strings that objects hold, which become no value", in_sections, lose_empty_strings},
+        LossRow{"in strings that objects hold: line ends, and blanks at the ends",
+                in_sections | in(Medium::markdown), lose_line_ends},
+        LossRow{"empty strings that objects hold, which become no value", in_sections | in_tables,
+                lose_empty_strings},
     };
     return rows;
 }

@@ -7,6 +7,7 @@
 #include "base/utf8.hpp"
 #include "convert/writing.hpp"
 #include "dictionary/data_types.hpp"
+#include "dictionary/difference_rows.hpp"
 #include "dictionary/value_text.hpp"
 #include "eds/value_text.hpp"
 
@@ -111,20 +112,34 @@ void append_fact(std::string& text, std::string_view name, std::string_view fact
     }
 }
 
+template <typename Of>
+void append_facts(std::string& text, std::span<const dictionary::AspectRow<Of>> rows, const Of& of) {
+    for (const dictionary::AspectRow<Of>& row : rows) {
+        append_fact(text, row.text, row.value(of));
+    }
+}
+
+// "01-31-2026 09:00AM, somebody"
+std::string moment(const std::string& date, const std::string& time, const std::string& by) {
+    const std::string when = date + (date.empty() || time.empty() ? "" : " ") + time;
+    return when + (when.empty() || by.empty() ? "" : ", ") + by;
+}
+
 }  // namespace
 
 base::Bytes write_markdown(const Description& description) {
     const dictionary::DeviceInformation& device = description.dictionary.device;
+    const dictionary::FileInformation& file = description.dictionary.file;
     std::string text = fmt::format("# {}\n\n", base::markdown_cell(base::to_utf8(device.product_name)));
-    append_fact(text, "Vendor", fmt::format("{} (0x{:X})", device.vendor_name, device.vendor_number));
-    append_fact(text, "Product number", fmt::format("0x{:X}", device.product_number));
-    append_fact(text, "Revision number", fmt::format("0x{:X}", device.revision_number));
-    append_fact(text, "Order code", device.order_code);
-    append_fact(text, "File", description.dictionary.file.file_name);
-    append_fact(text, "Description", description.dictionary.file.description);
+    append_facts<dictionary::DeviceInformation>(text, dictionary::device_rows(), device);
+    append_fact(text, "file", file.file_name);
+    append_fact(text, "description", file.description);
+    append_fact(text, "version",
+                fmt::format("{}.{}, EDS {}", file.file_version, file.file_revision, file.eds_version));
+    append_fact(text, "created", moment(file.creation_date, file.creation_time, file.created_by));
+    append_fact(text, "modified", moment(file.modification_date, file.modification_time, file.modified_by));
     if (description.node) {
-        append_fact(text, "Node",
-                    fmt::format("{} {}", description.node->node_id, description.node->node_name));
+        append_facts<dictionary::Commissioning>(text, dictionary::node_rows(), *description.node);
     }
     text += "\n|";
     for (const Column& column : columns) {

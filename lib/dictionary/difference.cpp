@@ -72,7 +72,13 @@ class Comparer {
     void compare_nodes() {
         if (both_configured()) {
             compare_rows<Commissioning>(node_rows(), *a_.commissioning, *b_.commissioning);
+        } else if (has_modules(a_) || has_modules(b_)) {
+            result_.not_compared.emplace_back("connected modules");
         }
+    }
+
+    static bool has_modules(const Side& side) {
+        return side.commissioning != nullptr && !side.commissioning->connected_modules.empty();
     }
 
     // Both ascending; calls `only_a`, `only_b` or `both` for each item.

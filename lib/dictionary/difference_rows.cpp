@@ -14,6 +14,8 @@
 namespace cgw::dictionary {
 namespace {
 
+constexpr std::string_view none = "none";
+
 std::string yes_or_no(bool value) {
     return value ? "yes" : "no";
 }
@@ -72,6 +74,11 @@ constexpr std::array of_node{
     NodeRow{"manager", "CANopen manager", false, [](const auto& n) { return yes_or_no(n.canopen_manager); }},
     NodeRow{"serial-number", "serial number", false,
             [](const auto& n) { return hexadecimal(n.serial_number); }},
+    NodeRow{"connected-modules", "connected modules", false,
+            [](const auto& n) {
+                return n.connected_modules.empty() ? std::string(none)
+                                                   : fmt::format("{}", fmt::join(n.connected_modules, " "));
+            }},
 };
 
 using ModuleRow = AspectRow<Module>;

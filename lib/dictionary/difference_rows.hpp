@@ -1,4 +1,4 @@
-// Inside the dictionary room: what can differ between two devices, a row each.
+// What there is to say of a device, a row each: what can differ between two, and what a table shows of one.
 #pragma once
 
 #include <cstdint>

@@ -9,6 +9,7 @@
 #include "base/bytes.hpp"
 #include "base/files.hpp"
 #include "base/sha256.hpp"
+#include "convert/formats.hpp"
 #include "driver/check_file.hpp"
 #include "driver/data_sheet.hpp"
 #include "driver/plant.hpp"
@@ -33,6 +34,13 @@ bool is_parameter_file(const eds::Document& document) {
     constexpr std::array<std::string_view, 3> tables{"governor", "governor.parameters", "gateway.parameters"};
     return std::any_of(tables.begin(), tables.end(),
                        [&](std::string_view table) { return document.find(table) != nullptr; });
+}
+
+// What is neither XML nor a data sheet is told as what its name says.
+bool is_named_xml(std::string_view path) {
+    const convert::Format* const format = convert::format_of_file(path);
+    return format != nullptr &&
+           (format->medium == convert::Medium::xdd || format->medium == convert::Medium::xdc);
 }
 
 void take_image(DeviceDescription& description, const std::string& text) {
@@ -114,7 +122,9 @@ base::Result<DeviceDescription> read_device_description(const std::string& path)
         take_image(description, *text);
     } else if (xdd::is_xml(*text)) {
         take_xml(description, std::move(*text));
-    } else if (is_parameter_file(eds::Document(*text))) {
+    } else if (const eds::Document document(*text); is_named_xml(path) && !eds::is_sheet(document)) {
+        take_xml(description, std::move(*text));
+    } else if (is_parameter_file(document)) {
         if (const auto taken = take_parameter_file(description, std::move(*text)); !taken) {
             return tl::unexpected(taken.error());
         }

@@ -132,7 +132,8 @@ bool is_usual_list(const Document& document, const Section& section) {
         }
         const std::string_view key = text.substr(line.begin, line.mark - line.begin);
         const std::string_view value = text.substr(line.mark + 1, line.end - line.mark - 1);
-        if (!counted && key == "SupportedObjects" && base::consists_of(value, base::digits)) {
+        if (!counted && key == "SupportedObjects" && value.size() <= most_digits &&
+            base::consists_of(value, base::digits)) {
             counted = true;
             continue;
         }
@@ -158,8 +159,8 @@ void judge_list_values(Reading& reading, const Section& section) {
         if (!is_entry(reading, line) || is_usual_index(document.value(line))) {
             continue;
         }
-        if (!reading.entry_number(line) &&
-            !base::equal_ignoring_case(document.key(line), "SupportedObjects")) {
+        const bool is_count = base::equal_ignoring_case(document.key(line), "SupportedObjects");
+        if (!is_count && !reading.entry_number(line)) {
             continue;
         }
         if (document.value(line).empty()) {
@@ -167,7 +168,7 @@ void judge_list_values(Reading& reading, const Section& section) {
                            fmt::format("{} of {} is empty", base::printable(document.key(line)),
                                        reading.quoted(section)));
         } else {
-            reading.number(line, highest_u16);
+            reading.number(line, is_count ? highest_u32 : highest_u16);
         }
     }
 }

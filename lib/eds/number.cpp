@@ -98,12 +98,14 @@ Number parse_literal(std::string_view text) {
 Number parse_formula(std::string_view text) {
     Number sum;
     sum.reading = Number::Reading::number;
+    std::size_t terms = 0;
     for (bool first = true;; first = false) {
         const std::size_t plus = text.find('+');
         const std::string_view part = text.substr(0, plus);
         const std::string_view term = base::trimmed(part);
         const bool is_node_id = base::equal_ignoring_case(term, node_id);
-        sum.misplaced |= term.size() != part.size() || is_node_id != first || (is_node_id && term != node_id);
+        sum.misplaced |= term.size() != part.size() || is_node_id != first ||
+                         (is_node_id && term != node_id) || ++terms > 2;
         const Number number = is_node_id ? Number{.reading = Number::Reading::number} : parse_literal(term);
         if (number.reading == Number::Reading::none || number.negative ||
             (is_node_id && sum.node_id_relative)) {

@@ -86,6 +86,8 @@ class ObjectReader {
         Object& object = objects.emplace_back();
         object.index = name_at(group.begin).index;
         reading_.assign_text(lines[ObjectKey::name], object.name);
+        // Whether it counts right is not the reader's question.
+        reading_.number(lines[ObjectKey::sub_number], highest_u32);
         read_parts(group, section, lines, object);
         if (!has_sub_objects(object.code) && object.variables.empty()) {
             objects.pop_back();  // without data, or a finding has said why

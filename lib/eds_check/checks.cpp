@@ -51,7 +51,7 @@ const Check table[] = {
     {&rules::eds_list_count, check_list_counts, refused, mend_count},
     {&rules::eds_entry_count, check_entry_counts, tolerated, mend_count},
     {&rules::eds_comment_count, check_comment_counts, tolerated, mend_count},
-    {&rules::eds_list_numbers, check_list_numbers, tolerated, number_list},
+    {&rules::eds_list_numbers, check_list_numbers, refused, number_list},
     {&rules::eds_listed_twice, check_listed_twice, tolerated, unlist},
     {&rules::eds_listed_absent, check_listed_objects, refused},
     {&rules::eds_unlisted, check_unlisted_objects, refused},

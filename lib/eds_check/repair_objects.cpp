@@ -64,7 +64,15 @@ Repair stated(const Part& part, std::uint32_t header, std::initializer_list<Obje
 }  // namespace
 
 std::optional<Repair> mend_count(const Context& context, const Span& place) {
-    const std::size_t count = entries_of(context, section_of(context, place.line));
+    const eds::Section& section = section_of(context, place.line);
+    const std::size_t count = entries_of(context, section);
+    // One more entry may be meant by a key that says nothing.
+    for (std::uint32_t line = section.header + 1; line < section.end; ++line) {
+        if (context.document.lines()[line].kind == eds::LineKind::entry &&
+            context.model.key_row(line) == nullptr) {
+            return std::nullopt;
+        }
+    }
     // A list that is counted and gone may have been lost: which entries it had, nobody knows.
     return count > 0 ? std::optional(restated(context, place, fmt::format("{}", count))) : std::nullopt;
 }
@@ -101,6 +109,9 @@ std::optional<Repair> mend_sub_number(const Context& context, const Span& place)
     const Found found = part_at(context, place.line);
     if (found.part == nullptr) {
         return std::nullopt;
+    }
+    if (context.number(found.part->lines[ObjectKey::compact_sub_objects]).value_or(0) > 0) {
+        return std::nullopt;  // which of the two is right?
     }
     // Where sub-object 0 says the same, a section is missing, and the number may be right.
     const std::size_t count = sub_objects_of(*found.group);

@@ -23,6 +23,24 @@ constexpr std::uint8_t structure_sub_index = 0xFF;
 constexpr std::array codes_of_others{ObjectCode::null, ObjectCode::type_definition,
                                      ObjectCode::structure_definition, ObjectCode::array, ObjectCode::record};
 
+// CompactSubObj tells the number: SubNumber is 0, or agrees with it.
+void check_compact_sub_numbers(const Context& context) {
+    for (const Group& group : context.model.all_groups()) {
+        if (!group.has_section || !is_parent(group, group.own()) || !is_compact(context, group.own())) {
+            continue;
+        }
+        const std::uint32_t line = group.own().lines[ObjectKey::sub_number];
+        const auto stated = context.number(line);
+        const auto compact = context.number(group.own().lines[ObjectKey::compact_sub_objects]);
+        if (stated && *stated != 0 && *stated != *compact + 1) {
+            context.reading.report(
+                rules::eds_sub_number, context.document.value_span(line),
+                fmt::format("SubNumber is {}, and by its CompactSubObj {} has {} sub-objects", *stated,
+                            context.label(group.own()), *compact + 1));
+        }
+    }
+}
+
 }  // namespace
 
 std::size_t sub_objects_of(const Group& group) {
@@ -32,6 +50,7 @@ std::size_t sub_objects_of(const Group& group) {
 }
 
 void check_sub_numbers(const Context& context) {
+    check_compact_sub_numbers(context);
     for_each_parent(context, [&](const Group& group) {
         const std::uint32_t line = group.own().lines[ObjectKey::sub_number];
         const std::size_t count = sub_objects_of(group);

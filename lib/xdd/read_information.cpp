@@ -17,6 +17,7 @@ namespace {
 
 using dictionary::DeviceInformation;
 using dictionary::Dictionary;
+namespace rules = diagnostic::rules;
 
 constexpr std::string_view blanks = " \t\r\n";
 constexpr std::size_t digits_of_u32 = 8;
@@ -26,13 +27,21 @@ std::string text_of(pugi::xml_node element) {
     return std::string(base::trimmed(element.text().get(), blanks));
 }
 
-std::string attribute_of(const Parts& parts, const char* name) {
+struct Stated {
+    pugi::xml_node element;
+    pugi::xml_attribute attribute;
+
+    const char* text() const { return attribute.value(); }
+};
+
+Stated attribute_of(const Parts& parts, const char* name) {
     const pugi::xml_attribute of_network = parts.network_body.attribute(name);
-    return of_network ? of_network.value() : parts.device_body.attribute(name).value();
+    return of_network ? Stated{parts.network_body, of_network}
+                      : Stated{parts.device_body, parts.device_body.attribute(name)};
 }
 
-// "2" or "2.1": version and revision. Anything else says neither.
-void read_file_version(std::string_view text, dictionary::FileInformation& file) {
+// "2" or "2.1": version and revision. False for anything else, which says neither.
+bool read_file_version(std::string_view text, dictionary::FileInformation& file) {
     constexpr unsigned highest = 255;
     unsigned version = 0;
     unsigned revision = 0;
@@ -43,28 +52,49 @@ void read_file_version(std::string_view text, dictionary::FileInformation& file)
         at = second.ptr;
         error = second.ec;
     }
-    if (error == std::errc{} && at == end && version <= highest && revision <= highest) {
+    const bool known = error == std::errc{} && at == end && version <= highest && revision <= highest;
+    if (known) {
         file.file_version = version;
         file.file_revision = revision;
     }
+    return known;
 }
 
-void read_file(const Parts& parts, dictionary::FileInformation& file) {
-    file.file_name = attribute_of(parts, "fileName");
-    file.created_by = attribute_of(parts, "fileCreator");
-    file.creation_date = eds_date(attribute_of(parts, "fileCreationDate"));
-    file.creation_time = eds_time(attribute_of(parts, "fileCreationTime"));
-    file.modified_by = attribute_of(parts, "fileModifiedBy");
-    file.modification_date = eds_date(attribute_of(parts, "fileModificationDate"));
-    file.modification_time = eds_time(attribute_of(parts, "fileModificationTime"));
-    read_file_version(attribute_of(parts, "fileVersion"), file);
+// A date or a time; "" after a finding, and where it is not known.
+std::string moment_of(Source& source, const Stated& stated, std::string (*read)(std::string_view)) {
+    std::string moment = read(stated.text());
+    if (moment.empty() && *stated.text() != '\0' && !std::string_view(stated.text()).starts_with(no_date)) {
+        source.report(rules::xdd_information, stated.element, stated.attribute,
+                      fmt::format("{}, which is no date or time; it is left out", quoted(stated.attribute)));
+    }
+    return moment;
+}
+
+void read_file(Source& source, const Parts& parts, dictionary::FileInformation& file) {
+    const auto moment = [&](const char* name, std::string (*read)(std::string_view)) {
+        return moment_of(source, attribute_of(parts, name), read);
+    };
+    file.file_name = attribute_of(parts, "fileName").text();
+    file.created_by = attribute_of(parts, "fileCreator").text();
+    file.creation_date = moment("fileCreationDate", eds_date);
+    file.creation_time = moment("fileCreationTime", eds_time);
+    file.modified_by = attribute_of(parts, "fileModifiedBy").text();
+    file.modification_date = moment("fileModificationDate", eds_date);
+    file.modification_time = moment("fileModificationTime", eds_time);
+    const Stated version = attribute_of(parts, "fileVersion");
+    if (!read_file_version(version.text(), file) && *version.text() != '\0') {
+        source.report(rules::xdd_information, version.element, version.attribute,
+                      fmt::format("{}, which is no version from 0 to 255.255; {}.{} counts",
+                                  quoted(version.attribute), file.file_version, file.file_revision));
+    }
     const pugi::xml_node identity = Source::child(parts.device_body, "DeviceIdentity");
     file.description = Source::child(Source::child(identity, "productText"), "description").text().get();
 }
 
 // An identification is hexadecimal, with 0x or without; where there is none, the identity object counts.
-std::uint32_t identification(pugi::xml_node element, const Dictionary& dictionary, std::uint8_t sub_index) {
-    std::string text = text_of(element);
+std::uint32_t identification(Source& source, pugi::xml_node element, const Dictionary& dictionary,
+                             std::uint8_t sub_index) {
+    const std::string text = text_of(element);
     const bool is_hexadecimal = text.starts_with("0x") || text.starts_with("0X");
     std::string_view digits = text;
     digits.remove_prefix(is_hexadecimal ? 2 : 0);
@@ -73,6 +103,11 @@ std::uint32_t identification(pugi::xml_node element, const Dictionary& dictionar
     const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), number, radix);
     if (!digits.empty() && error == std::errc{} && end == digits.data() + digits.size()) {
         return number;
+    }
+    if (!text.empty()) {
+        source.report(rules::xdd_information, element,
+                      fmt::format("{} is {}, which is no number of 32 bits; the value of 1018h:{} counts",
+                                  local_name(element.name()), quoted(text), sub_index));
     }
     const dictionary::Variable* const stated = dictionary.find(identity_object, sub_index);
     return stated != nullptr ? static_cast<std::uint32_t>(stated->default_value.number) : 0;
@@ -88,14 +123,14 @@ pugi::xml_node firmware_version(pugi::xml_node identity) {
     return result;
 }
 
-void read_identity(const Parts& parts, Dictionary& dictionary) {
+void read_identity(Source& source, const Parts& parts, Dictionary& dictionary) {
     const pugi::xml_node identity = Source::child(parts.device_body, "DeviceIdentity");
     DeviceInformation& device = dictionary.device;
     device.vendor_name = text_of(Source::child(identity, "vendorName"));
-    device.vendor_number = identification(Source::child(identity, "vendorID"), dictionary, 1);
+    device.vendor_number = identification(source, Source::child(identity, "vendorID"), dictionary, 1);
     device.product_name = text_of(Source::child(identity, "productName"));
-    device.product_number = identification(Source::child(identity, "productID"), dictionary, 2);
-    device.revision_number = identification(firmware_version(identity), dictionary, 3);
+    device.product_number = identification(source, Source::child(identity, "productID"), dictionary, 2);
+    device.revision_number = identification(source, firmware_version(identity), dictionary, 3);
     device.order_code = text_of(Source::child(identity, "orderNumber"));
 }
 
@@ -126,7 +161,7 @@ void read_bit_rates(Source& source, const Parts& parts, std::vector<unsigned>& r
             }
         }
         source.report(
-            diagnostic::rules::xdd_bit_rate, each, value,
+            rules::xdd_bit_rate, each, value,
             fmt::format("{}, which is none of the bit rates of CANopen; it is left out", quoted(value)));
     });
     std::sort(rates.begin(), rates.end());
@@ -147,7 +182,7 @@ void read_dummies(Source& source, const Parts& parts, std::vector<std::uint8_t>&
         if (is_known) {
             used.at(static_cast<std::size_t>(text[8] - '0')) = text[10] == '1';
         } else {
-            source.report(diagnostic::rules::xdd_value, each, entry,
+            source.report(rules::xdd_value, each, entry,
                           fmt::format("{}; it can be Dummy0001=0 to Dummy0007=1", quoted(entry)));
         }
     });
@@ -185,7 +220,7 @@ std::optional<std::uint32_t> read_bit_rate(Source& source, pugi::xml_node node) 
         return rate;
     }
     if (!text.empty()) {
-        source.report(diagnostic::rules::xdd_value, node, attribute,
+        source.report(rules::xdd_value, node, attribute,
                       fmt::format("{}, which is no number of kbit/s", quoted(attribute)));
     }
     return std::nullopt;
@@ -194,8 +229,8 @@ std::optional<std::uint32_t> read_bit_rate(Source& source, pugi::xml_node node) 
 }  // namespace
 
 void read_information(Source& source, const Parts& parts, Dictionary& dictionary) {
-    read_file(parts, dictionary.file);
-    read_identity(parts, dictionary);
+    read_file(source, parts, dictionary.file);
+    read_identity(source, parts, dictionary);
     read_comments(parts, dictionary.comments);
     read_bit_rates(source, parts, dictionary.device.bit_rates_kbit);
     read_dummies(source, parts, dictionary.supported_dummies);

@@ -8,6 +8,7 @@
 #include "base/utf8.hpp"
 #include "diagnostic/rules/xdd.hpp"
 #include "xdd/reader.hpp"
+#include "xdd/well_formed.hpp"
 
 namespace cgw::xdd {
 namespace {
@@ -69,6 +70,11 @@ bool Source::parse() {
     if (elements != 1) {
         report_whole_file(rules::xdd_text,
                           fmt::format("XML has one element around all others; this file has {}", elements));
+        return false;
+    }
+    if (const std::optional<Fault> fault = find_fault(text_)) {
+        const diagnostic::Position at = position(fault->offset);
+        add(rules::xdd_text, {at, at}, fmt::format("this is no well-formed XML: {}", fault->what), "");
         return false;
     }
     return true;

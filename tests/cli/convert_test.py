@@ -78,8 +78,37 @@ class Convert(unittest.TestCase):
         self.expect(cgw("eds", "diff", DEVICE, self.dir / "b.dcf", "--node-id", 5), 2, ["is about node 6"])
         large = self.dir / "large.eds"
         large.write_text(DEVICE.read_text().replace("$NODEID+0x180", "$NODEID+0xFFFFFFFF"))
-        self.expect(cgw("convert", large, "-o", self.dir / "c.dcf", "--node-id", 5), 2, ["1800h:1: a formula with $NODEID"])
+        line = large.read_text()[:large.read_text().index("$NODEID+0xFFFFFFFF")].count("\n") + 1
+        result = cgw("convert", large, "-o", self.dir / "c.dcf", "--node-id", 5)
+        self.expect(result, 1, [f"large.eds:{line}:14: error: ", "[E0807"])
+        self.assertIn("1800h:1: a formula with $NODEID makes too large a number", " ".join(result.stderr.decode().split()))
         self.assertFalse((self.dir / "c.dcf").exists())
+
+    def test_a_concise_dcf_without_entries_is_told(self):
+        result = cgw("convert", DEVICE, "--to", "concise-dcf", "--node-id", 5)
+        self.expect(result, 0, ["the list has no entries: no value differs from its default\n"])
+        self.assertEqual(result.stdout, bytes(4))
+        self.expect(cgw("convert", DEVICE, "--to", "concise-dcf"), 2, ["--node-id is needed"])
+
+    def test_tables_tell_what_they_leave_out(self):
+        text = DEVICE.read_text()
+        modular = self.dir / "modular.eds"
+        modular.write_text(text + "\n[SupportedModules]\nNrOfEntries=1\n[M1ModuleInfo]\nProductName=DI\n")
+        self.expect(cgw("convert", modular, "--to", "md"), 0, ["md does not hold: modules of a modular device (1)\n"])
+        self.expect(cgw("convert", modular, "--to", "csv"), 0,
+                    ["csv does not hold: modules of a modular device (1)\n",
+                     "csv does not hold: vendor, product and features of the device (1)\n"])
+        self.assertNotIn(b"LastEDS", cgw("convert", DEVICE, "--to", "xdc", "--node-id", 5).stderr)
+
+    def test_other_files_with_the_ending_of_xml_are_told_as_such(self):
+        other = self.dir / "board.xdc"
+        other.write_text("set_property PACKAGE_PIN W5 [get_ports clk]\n")
+        result = cgw("convert", other, "--to", "eds")
+        self.assertEqual(result.returncode, 1)
+        self.assertIn("FPGA design constraints", " ".join(result.stderr.decode().split()))
+        empty = self.dir / "empty.XDD"
+        empty.write_text("")
+        self.assertIn("the file is no XML", " ".join(cgw("convert", empty, "--to", "eds").stderr.decode().split()))
 
     def test_utf_16_is_told(self):
         wide = self.dir / "wide.xdd"
@@ -105,7 +134,7 @@ class Convert(unittest.TestCase):
         self.expect(cgw("convert", self.dir / "a.xdc", "-o", self.dir / "b.eds"), 0, ["values that one node is given"])
 
     def test_a_concise_dcf_has_what_a_manager_writes(self):
-        self.expect(cgw("convert", DEVICE, "--to", "concise-dcf", "--node-id", 5), 2, ["made of a DCF or XDC"])
+        self.expect(cgw("convert", DEVICE, "--to", "concise-dcf"), 2, ["--node-id is needed"])
         cgw("convert", DEVICE, "-o", self.dir / "a.dcf", "--node-id", 5)
         self.assertEqual(cgw("convert", self.dir / "a.dcf", "--to", "concise-dcf").stdout, bytes(4))
         text = (self.dir / "a.dcf").read_text()

@@ -21,7 +21,7 @@ Description io_device() {
 std::string converted(const Description& description, std::string_view format,
                       std::optional<std::uint8_t> node_id = std::nullopt) {
     const auto product = convert(description, {.format = *find_format(format), .node_id = node_id});
-    return product ? std::string(product->bytes.begin(), product->bytes.end()) : product.error().message;
+    return product ? std::string(product->bytes.begin(), product->bytes.end()) : product.error().why;
 }
 
 }  // namespace
@@ -51,8 +51,10 @@ TEST(ConvertFormats, of_one_node_need_its_number) {
     const Description device = io_device();
     EXPECT_EQ(converted(device, "dcf"),
               "--node-id is needed: dcf is about one node, and the file does not say which");
-    EXPECT_EQ(converted(device, "concise-dcf", 5),
-              "the file says of no node which values it has; a concise DCF is made of a DCF or XDC");
+    EXPECT_EQ(converted(device, "concise-dcf"),
+              "--node-id is needed: concise-dcf is about one node, and the file does not say which");
+    EXPECT_EQ(converted(device, "concise-dcf", 5), std::string(4, '\0'));
+    EXPECT_TRUE(convert(device, {.format = *find_format("concise-dcf"), .node_id = 5})->no_entries);
     Description node = device;
     node.node.emplace().node_id = 7;
     EXPECT_EQ(converted(node, "xdc", 5), "the file is about node 7; leave --node-id out");
@@ -194,7 +196,7 @@ TEST(FurtherSections, are_in_every_eds_and_dcf_and_told_of_other_formats) {
         const auto product = convert(
             device, {.format = format,
                      .node_id = is_node && !device.node ? std::optional<std::uint8_t>(5) : std::nullopt});
-        ASSERT_TRUE(product.has_value()) << format.name << product.error().message;
+        ASSERT_TRUE(product.has_value()) << format.name << product.error().why;
         const bool holds = format.name == "eds" || format.name == "dcf";
         EXPECT_EQ(std::string(product->bytes.begin(), product->bytes.end()).ends_with(sections), holds)
             << format.name;

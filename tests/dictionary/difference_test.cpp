@@ -150,6 +150,22 @@ TEST(Differences, of_two_configuration_files) {
     EXPECT_EQ(told(differences({a}, {b, &node_b, 5})), "1000 value: 0x00000000 -> 0x00000001\n");
 }
 
+TEST(Differences, of_connected_modules) {
+    const Dictionary device_of_both = device();
+    Commissioning a;
+    a.connected_modules = {1, 2};
+    Commissioning b;
+    b.connected_modules = {2, 1};
+    const auto between = [&](const Commissioning* of_a, const Commissioning* of_b) {
+        return differences({device_of_both, of_a}, {device_of_both, of_b});
+    };
+    EXPECT_EQ(told(between(&a, &b)), "device connected-modules: 1 2 -> 2 1\n");
+    b.connected_modules.clear();
+    EXPECT_EQ(told(between(&a, &b)), "device connected-modules: 1 2 -> none\n");
+    EXPECT_EQ(between(&a, nullptr).not_compared, std::vector<std::string_view>{"connected modules"});
+    EXPECT_TRUE(between(&b, nullptr).not_compared.empty());
+}
+
 TEST(Differences, a_bare_side_is_compared_by_what_it_says) {
     const Dictionary a = device();
     Dictionary b = device();

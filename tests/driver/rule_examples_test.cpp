@@ -199,11 +199,15 @@ diagnostic::Findings findings_in_checked_sheet(const std::string& text) {
 // What reading these parameters, the objects behind them, and the transport layers behind those, as an
 // XDD finds.
 diagnostic::Findings findings_in_device_description(const std::string& text) {
+    constexpr std::string_view identity_end = "</DeviceIdentity>";
+    const std::size_t identity = text.find(identity_end);
+    const std::size_t parameters = identity == std::string::npos ? 0 : identity + identity_end.size();
     const std::size_t objects = text.find("<CANopenObject");
     const std::size_t network = std::min(text.find("<TransportLayers"), text.size());
     diagnostic::Findings findings;
-    xdd::read(test::device_description(text.substr(0, objects), text.substr(objects, network - objects),
-                                       text.substr(network)),
+    xdd::read(test::device_description(text.substr(parameters, objects - parameters),
+                                       text.substr(objects, network - objects), text.substr(network),
+                                       text.substr(0, parameters)),
               "example.xdd", findings);
     return findings;
 }

@@ -261,6 +261,22 @@ TEST(EdsReader, reads_modules) {
     EXPECT_EQ(result.sheet.dictionary.find(0x2100), nullptr) << "belongs to the module";
 }
 
+TEST(EdsReader, tells_counts_that_are_no_numbers) {
+    const auto told = [](const std::string& list, const std::string& sub_number) {
+        return Result("[OptionalObjects]\nSupportedObjects=" + list +
+                      "\n1=0x2000\n[2000]\nObjectType=9\nSubNumber=" + sub_number +
+                      "\n[2000sub0]\nDataType=5\nAccessType=ro\n")
+            .told();
+    };
+    EXPECT_EQ(told("1", "1"), "");
+    EXPECT_EQ(told("300", "256"), "");  // whether they count right is not the reader's question
+    EXPECT_EQ(told("99999999999999999999", "1"), "2:18 eds-number-range\n");
+    EXPECT_EQ(told("1", "99999999999999999999"), "6:11 eds-number-range\n");
+    EXPECT_EQ(told("-4", "-5"), "2:18 eds-number-range\n6:11 eds-number-range\n");
+    EXPECT_EQ(told("1", "abc"), "6:11 eds-value\n");
+    EXPECT_EQ(told("1", "$NODEID+1"), "6:11 eds-value\n");
+}
+
 TEST(EdsReader, tells_entries_of_lists_that_are_no_numbers) {
     for (const char* list : {"[OptionalObjects]", "[M1FixedObjects]", "[M1SubExtends]"}) {
         const Result result(std::string(list) + "\nNrOfEntries=x\n1=foo\n2=\n3=0x2000\n");

@@ -27,6 +27,42 @@ TEST(HostileXdd, of_another_kind_is_refused) {
     EXPECT_EQ(result.findings.all().front().where.range.start.line, 2U);
 }
 
+TEST(HostileXdd, is_no_xml_for_other_readers_and_for_this_one) {
+    const auto told = [](const std::string& attributes, const std::string& around = "") {
+        const Result result("<?xml version=\"1.0\"?>\n<a>\n <b" + attributes + "/>\n</a>\n" + around);
+        EXPECT_EQ(result.findings.all().size(), 1U) << attributes << around;
+        const diagnostic::Diagnostic& finding = result.findings.all().front();
+        const diagnostic::Position& at = finding.where.range.start;
+        return finding.rule == &diagnostic::rules::xdd_text
+                   ? fmt::format("{}:{} {}", at.line, at.column,
+                                 finding.message.substr(finding.message.find(": ") + 2))
+                   : "";
+    };
+    EXPECT_EQ(told(" c='1' d=\"2\""), "");
+    EXPECT_EQ(told(" c = '&lt;&#65;&#x41;&quot;' ", "<!-- - -->\n<?p i?>"), "");
+    EXPECT_EQ(told(" c='a&#0;b'"), "3:9 `&#0` begins no reference to a character");
+    EXPECT_EQ(told(" c='&#x110000;'"), "3:8 `&#x110000` begins no reference to a character");
+    EXPECT_EQ(told(" c='&#;'"), "3:8 `&#` begins no reference to a character");
+    EXPECT_EQ(told(" c='&nbsp;'"), "3:8 `&nbsp` begins no reference to a character");
+    EXPECT_EQ(told(" c='&'"), "3:8 `&` begins no reference to a character");
+    EXPECT_EQ(told(" c='1' c='2'"), "3:2 the attribute c stands twice in one element");
+    EXPECT_EQ(told(" c='1'd='2'"), "3:10 error parsing element attribute");
+    EXPECT_EQ(told(" c='i<n'"), "3:9 `<` stands in the value of an attribute");
+    EXPECT_EQ(told("", "junk"), "5:1 text stands outside of the root element");
+    EXPECT_EQ(told("", "<![CDATA[]]>"), "5:1 text stands outside of the root element");
+    EXPECT_EQ(told("", "<!-- a -- b -->"), "5:8 two hyphens stand in a comment");
+    EXPECT_EQ(told(" c='\x01'"), "3:8 a control character 0x01 stands in it");
+    EXPECT_EQ(told("/>&copy;<b"), "3:6 `&copy` begins no reference to a character");
+}
+
+TEST(HostileXdd, is_looked_through_once) {
+    std::string text = "<a";
+    for (int i = 0; i < 100'000; ++i) {
+        text += fmt::format(" a{}='&amp;'", i);
+    }
+    EXPECT_EQ(Result(text + ">" + std::string(1'000'000, ';') + "</a>").told(), "1:2 xdd-root\n");
+}
+
 TEST(HostileXdd, declares_no_entities) {
     const Result result(
         "<?xml version=\"1.0\"?><!DOCTYPE a [<!ENTITY x SYSTEM \"file:///etc/hostname\">"

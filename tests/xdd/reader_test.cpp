@@ -183,6 +183,37 @@ TEST(XddReader, reads_groups_of_objects) {
         << "from 1018h, where nothing else says it";
 }
 
+TEST(XddReader, tells_of_a_device_what_it_cannot_read) {
+    const std::string object =
+        "<CANopenObject index=\"2000\" name=\"V\" objectType=\"7\" dataType=\"0007\" accessType=\"ro\"/>";
+    const auto told = [&](const std::string& identity, const std::string& attributes = "") {
+        std::string text =
+            test::device_description("", object, "", "<DeviceIdentity>" + identity + "</DeviceIdentity>");
+        const std::string body = "<ProfileBody>";
+        text.insert(text.rfind(body) + body.size() - 1, " " + attributes);
+        const Result result(text);
+        EXPECT_TRUE(result.told().empty() || result.told().ends_with(" xdd-information\n")) << result.told();
+        return result.told().empty() ? "" : result.message();
+    };
+    EXPECT_EQ(told("<vendorID>0x12</vendorID><productID/><version versionType=\"FW\">7</version>"), "");
+    EXPECT_EQ(told("<vendorID>zzz</vendorID>"),
+              "vendorID is `zzz`, which is no number of 32 bits; the value of 1018h:1 counts");
+    EXPECT_EQ(told("<productID>0x1300000000000</productID>"),
+              "productID is `0x1300000000000`, which is no number of 32 bits; the value of 1018h:2 counts");
+    EXPECT_EQ(told("<version versionType=\"FW\">V1.2</version>"),
+              "version is `V1.2`, which is no number of 32 bits; the value of 1018h:3 counts");
+    EXPECT_EQ(told("",
+                   "fileCreationDate=\"2024-12-31\" fileModificationDate=\"0001-01-01\" "
+                   "fileCreationTime=\"09:30:00\""),
+              "");
+    EXPECT_EQ(told("", "fileCreationDate=\"2024-13-45\""),
+              "fileCreationDate is `2024-13-45`, which is no date or time; it is left out");
+    EXPECT_EQ(told("", "fileModificationTime=\"noon\""),
+              "fileModificationTime is `noon`, which is no date or time; it is left out");
+    EXPECT_EQ(told("", "fileVersion=\"1.2.3\""),
+              "fileVersion is `1.2.3`, which is no version from 0 to 255.255; 1.0 counts");
+}
+
 TEST(XddReader, reads_the_device_and_its_node) {
     const std::string text =
         "\xEF\xBB\xBF<?xml version=\"1.0\"?><p:ISO15745ProfileContainer xmlns:p=\"x\"><p:ISO15745Profile>"

@@ -41,16 +41,16 @@ struct XddResult {
 // A device description of these parameters and objects, without prefixes, as many tools write it: the
 // parameters begin in line 2, the objects behind them.
 inline std::string device_description(std::string_view parameters, std::string_view objects,
-                                      std::string_view network = "") {
+                                      std::string_view network = "", std::string_view device = "") {
     return fmt::format(
         "<ISO15745ProfileContainer xmlns=\"http://www.canopen.org/xml/1.0\"><ISO15745Profile><ProfileBody>"
-        "<ApplicationProcess><parameterList>\n"
+        "{}<ApplicationProcess><parameterList>\n"
         "{}</parameterList></ApplicationProcess></ProfileBody></"
         "ISO15745Profile><ISO15745Profile><ProfileBody>"
         "<ApplicationLayers><CANopenObjectList>\n"
         "{}</CANopenObjectList></ApplicationLayers>{}</ProfileBody></ISO15745Profile>"
         "</ISO15745ProfileContainer>\n",
-        parameters, objects, network);
+        device, parameters, objects, network);
 }
 
 }  // namespace cgw::test

@@ -1,4 +1,4 @@
-// E0901..E0917: XML device descriptions and configurations (XDD, XDC).
+// E0901..E0918: XML device descriptions and configurations (XDD, XDC).
 #include "diagnostic/rules/xdd.hpp"
 
 namespace cgw::diagnostic::rules {
@@ -286,5 +286,23 @@ const Rule xdd_sub_object_type{
         "<CANopenSubObject subIndex=\"00\" name=\"Highest\" objectType=\"7\" dataType=\"0005\" "
         "accessType=\"ro\" defaultValue=\"0\"/>\n"
         "</CANopenObject>\n"};
+const Rule xdd_information{
+    .code = "E0918",
+    .name = "xdd-information",
+    .level = Level::warning,
+    .summary = "identity, versions and dates are written as CiA 311 writes them",
+    .reference = "CiA 311",
+    .why =
+        "What cannot be read is left out or comes from somewhere else: vendor, product and revision from "
+        "1018h. Another tool may read another number.",
+    .example = Example::device_description,
+    .bad =
+        "<DeviceIdentity><vendorID>HEINZMANN</vendorID></DeviceIdentity>\n"
+        "<CANopenObject index=\"2000\" name=\"Value\" objectType=\"7\" dataType=\"0007\" "
+        "accessType=\"ro\"/>\n",
+    .good =
+        "<DeviceIdentity><vendorID>0x0000012C</vendorID></DeviceIdentity>\n"
+        "<CANopenObject index=\"2000\" name=\"Value\" objectType=\"7\" dataType=\"0007\" "
+        "accessType=\"ro\"/>\n"};
 
 }  // namespace cgw::diagnostic::rules

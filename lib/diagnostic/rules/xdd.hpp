@@ -21,7 +21,8 @@
     RULE(xdd_no_type) \
     RULE(xdd_bit_rate) \
     RULE(xdd_sub_number) \
-    RULE(xdd_sub_object_type)
+    RULE(xdd_sub_object_type) \
+    RULE(xdd_information)
 // clang-format on
 
 namespace cgw::diagnostic::rules {
