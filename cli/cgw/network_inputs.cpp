@@ -105,10 +105,25 @@ class Places {
     std::optional<eds::ValuePlaces> sheet_;
 };
 
+// E0209: what check refuses in a file is no question either.
+config::CyclicTime possible_time(const Change& change, std::uint32_t main_cycle_us) {
+    const config::CyclicTime time = config::cyclic_time(change.time_ms, main_cycle_us);
+    if (time.cycles > config::maximum_governor_cycles) {
+        throw UsageError(fmt::format("--what-if {}: {} main cycles of {}, and at most {} are possible (D8)",
+                                     change.text, time.cycles, base::milliseconds_text(main_cycle_us),
+                                     config::maximum_governor_cycles));
+    }
+    return time;
+}
+
 void read_node(const Arguments& arguments, const NodeOption& option, int device, BusMembers& members) {
     driver::DeviceDescription description = load_description(arguments, option.path, members.exit_code);
     if (!description.valid() || members.exit_code != exit_fine) {
         return;
+    }
+    if (description.node_id && *description.node_id != option.node_id) {
+        throw UsageError(fmt::format("--node: {} is about node {}, and {} is asked for", option.path,
+                                     *description.node_id, option.node_id));
     }
     const Places places(description);
     network::ForeignNode node = network::messages_of(
@@ -238,7 +253,7 @@ void apply_changes(BusMembers& members, const std::vector<Change>& changes) {
             }
             config::Pdo& pdo = configuration.pdos[change.tpdo - 1U];
             if (pdo.active) {
-                pdo.time = config::cyclic_time(change.time_ms, configuration.main_cycle_us);
+                pdo.time = possible_time(change, configuration.main_cycle_us);
                 found = true;
             }
         }

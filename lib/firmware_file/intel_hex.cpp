@@ -164,6 +164,7 @@ class Writer {
     explicit Writer(const IntelHex& file) : file_(file) {
         const std::vector<Block>& blocks = file.memory.blocks();
         segmented_ = file.segmented && (blocks.empty() || blocks.back().end() <= segmented_limit);
+        most_ = settled_size(blocks, file.style.data_bytes, bank);
     }
 
     std::string take() {
@@ -183,8 +184,8 @@ class Writer {
             if (address / bank != bank_) {
                 open_bank(address / bank);
             }
-            const auto size = std::min<std::uint64_t>(
-                {up_to_multiple(address, file_.style.data_bytes), rest.size(), bank - address % bank});
+            const auto size =
+                std::min<std::uint64_t>({up_to_multiple(address, most_), rest.size(), bank - address % bank});
             record(data, static_cast<std::uint16_t>(address % bank), rest.first(size));
             rest = rest.subspan(size);
             address += size;
@@ -201,9 +202,10 @@ class Writer {
     void write_start(Type type, const std::optional<StartRecord>& start) {
         if (start) {
             const std::uint32_t value = start->start;
-            record(type, start->address,
-                   std::array{static_cast<std::uint8_t>(value >> 24U), static_cast<std::uint8_t>(value >> 16U),
-                              static_cast<std::uint8_t>(value >> 8U), static_cast<std::uint8_t>(value)});
+            record(
+                type, start->address,
+                std::array{static_cast<std::uint8_t>(value >> 24U), static_cast<std::uint8_t>(value >> 16U),
+                           static_cast<std::uint8_t>(value >> 8U), static_cast<std::uint8_t>(value)});
         }
     }
 
@@ -219,6 +221,7 @@ class Writer {
 
     const IntelHex& file_;
     bool segmented_ = false;
+    std::size_t most_ = 0;  // data bytes of a record
     std::uint64_t bank_ = 0;
     std::string text_;
 };

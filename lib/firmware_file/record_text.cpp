@@ -97,6 +97,40 @@ std::size_t up_to_multiple(std::uint64_t address, std::size_t size) {
     return std::has_single_bit(size) ? size - static_cast<std::size_t>(address % size) : size;
 }
 
+namespace {
+
+// Of records that hold `size` bytes from `begin` on.
+std::size_t longest_record(std::uint64_t begin, std::uint64_t end, std::size_t size) {
+    const auto first =
+        static_cast<std::size_t>(std::min<std::uint64_t>(up_to_multiple(begin, size), end - begin));
+    return std::max(first, static_cast<std::size_t>(std::min<std::uint64_t>(size, end - begin - first)));
+}
+
+std::size_t longest_record(std::span<const Block> blocks, std::size_t size, std::uint64_t bank) {
+    std::size_t longest = 0;
+    for (const Block& block : blocks) {
+        for (std::uint64_t begin = block.address; begin < block.end();) {
+            const std::uint64_t end =
+                bank == 0 ? block.end() : std::min(block.end(), (begin / bank + 1) * bank);
+            longest = std::max(longest, longest_record(begin, end, size));
+            begin = end;
+        }
+    }
+    return longest;
+}
+
+}  // namespace
+
+std::size_t settled_size(std::span<const Block> blocks, std::size_t size, std::uint64_t bank) {
+    for (;;) {
+        const std::size_t longest = longest_record(blocks, size, bank);
+        if (longest == 0 || longest == size) {
+            return size;
+        }
+        size = longest;
+    }
+}
+
 void Pieces::add(std::uint64_t address, std::span<const std::uint8_t> bytes, const Line& line) {
     if (!bytes.empty()) {
         pieces_.push_back({address, bytes_.size(), bytes.size(), line.whole()});

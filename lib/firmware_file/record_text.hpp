@@ -60,6 +60,10 @@ void encode(std::string& text, std::span<const std::uint8_t> bytes);
 // records are cut where other tools cut them.
 std::size_t up_to_multiple(std::uint64_t address, std::size_t size);
 
+// Bytes of a full record, at most `size`, such that one of the blocks has a full one: who reads the file
+// again takes it for the same. `bank`: no record goes beyond a multiple of it; 0: none.
+std::size_t settled_size(std::span<const Block> blocks, std::size_t size, std::uint64_t bank);
+
 // The data of all records, in any order, until they are joined.
 class Pieces {
   public:

@@ -171,6 +171,7 @@ class Writer {
         while (address_bytes_ < 4 && highest >> (8 * address_bytes_) != 0) {
             ++address_bytes_;
         }
+        most_ = settled_size(blocks, std::min(file.style.data_bytes, longest - address_bytes_ - 1), 0);
     }
 
     std::string take() {
@@ -190,10 +191,9 @@ class Writer {
 
   private:
     void write(const Block& block) {
-        const std::size_t most = std::min(file_.style.data_bytes, longest - address_bytes_ - 1);
         std::uint64_t address = block.address;
         for (std::span<const std::uint8_t> rest = block.bytes; !rest.empty();) {
-            const std::size_t size = std::min(up_to_multiple(address, most), rest.size());
+            const std::size_t size = std::min(up_to_multiple(address, most_), rest.size());
             record(static_cast<char>('0' + address_bytes_ - 1), address_bytes_,
                    static_cast<std::uint32_t>(address), rest.first(size));
             ++records_;
@@ -218,6 +218,7 @@ class Writer {
 
     const SRecord& file_;
     std::size_t address_bytes_;
+    std::size_t most_ = 0;  // data bytes of a record
     std::uint32_t records_ = 0;
     std::string text_;
 };

@@ -226,6 +226,48 @@ void judge_bit_rates(std::span<const DescribedNode> nodes, std::uint32_t bit_rat
     }
 }
 
+namespace {
+
+std::uint64_t latest_sync_us(const Analysis& analysis) {
+    std::uint64_t latest = 0;
+    for (const MessageResult& result : analysis.messages) {
+        if (is_sync(result.message) && result.bounded()) {
+            latest = std::max(latest, result.response_us);
+        }
+    }
+    return latest;
+}
+
+// A PDO that goes with the SYNC is as late as that comes, its own jitter and what it waits for included. One
+// that is sent before the SYNC makes it later in turn.
+Analysis analyse_with_sync(std::vector<Message> messages, const Bus& bus) {
+    constexpr int most_rounds = 32;
+    Analysis analysis = analyse(messages, bus);
+    for (int round = 0;; ++round) {
+        const std::uint64_t latest = latest_sync_us(analysis);
+        bool later = false;
+        for (Message& message : messages) {
+            if (message.sync_multiple != 0 && message.jitter_us < latest) {
+                message.jitter_us = latest;
+                later = true;
+            }
+        }
+        if (!later) {
+            return analysis;
+        }
+        if (round == most_rounds) {
+            break;
+        }
+        analysis = analyse(messages, bus);
+    }
+    for (MessageResult& result : analysis.messages) {
+        result.bound = result.bounded() ? Bound::not_found : result.bound;
+    }
+    return analysis;
+}
+
+}  // namespace
+
 Judged judge_bus(std::span<const Member> members, std::span<const DescribedNode> nodes,
                  std::vector<Message> messages, const Bus& conditions, const Bands& bands) {
     Judged judged{std::move(messages), std::nullopt, {}};
@@ -234,7 +276,7 @@ Judged judge_bus(std::span<const Member> members, std::span<const DescribedNode>
         judge_bit_rates(nodes, *bit_rate, judged.findings);
         Bus bus = conditions;
         bus.bit_rate = *bit_rate;
-        judged.analysis = analyse(merged(judged.messages), bus);
+        judged.analysis = analyse_with_sync(merged(judged.messages), bus);
         judge(*judged.analysis, bands, members.front().rate_where, judged.findings);
     }
     return judged;

@@ -78,6 +78,9 @@ Judged judge_bus(std::span<const Member> members, std::span<const DescribedNode>
 // It is sent no more often than its receiver waits for it.
 bool is_too_slow(const Message& message);
 
+// Somebody sends it, and PDOs go with it.
+bool is_sync(const Message& message);
+
 // Two messages that are not the same one told twice: an identifier with two senders. What two tell alike but
 // for its times is one message.
 bool are_in_conflict(const Message& a, const Message& b);

@@ -19,12 +19,12 @@ void take_demands(Message& known, const Message& assumed) {
     };
     shorter(known.monitored_us, assumed.monitored_us);
     shorter(known.deadline_us, assumed.deadline_us);
-    if (!known.assumed && !assumed.assumed) {
+    // In whatever order they come.
+    if (known.assumed == assumed.assumed) {
         shorter(known.period_us, assumed.period_us);
         known.jitter_us = std::max(known.jitter_us, assumed.jitter_us);
     }
     if (known.assumed && known.receiver) {
-        shorter(known.period_us, assumed.period_us);
         known.bytes = std::max(known.bytes, assumed.bytes);
         return;
     }
@@ -35,8 +35,7 @@ void take_demands(Message& known, const Message& assumed) {
 void settle_synchronous(std::vector<Message>& messages) {
     std::uint64_t sync_us = 0;
     for (const Message& message : messages) {
-        const bool is_sync = message.kind == Kind::sync || message.identifier == facts::cob::sync;
-        if (is_sync && !message.receiver && (sync_us == 0 || message.period_us < sync_us)) {
+        if (is_sync(message) && (sync_us == 0 || message.period_us < sync_us)) {
             sync_us = message.period_us;
         }
     }
@@ -49,6 +48,10 @@ void settle_synchronous(std::vector<Message>& messages) {
 }
 
 }  // namespace
+
+bool is_sync(const Message& message) {
+    return !message.receiver && (message.kind == Kind::sync || message.identifier == facts::cob::sync);
+}
 
 std::vector<Message> merged(std::vector<Message> messages) {
     messages.push_back({.identifier = facts::cob::nmt,

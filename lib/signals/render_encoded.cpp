@@ -35,7 +35,7 @@ std::string bytes_of(const Encoded& encoded, const Signal& signal) {
 
 std::string explanation(const Encoded& encoded, const Signal& signal) {
     const Given* const given = find_given(encoded, signal);
-    const std::int32_t raw = given != nullptr ? given->raw : 0;
+    const std::int32_t raw = raw_value(signal, encoded.data);  // a switch that is off may be a 1
     const std::string shown = value_text(signal, raw);
     std::string text = meaning_of(signal) + ": ";
     if (signal.is_bit()) {
@@ -90,7 +90,7 @@ std::string render_encoded_json(const Encoded& encoded) {
     json.end_array().key("signals").begin_array();
     for (const Signal& signal : frame.signals) {
         const Given* const given = find_given(encoded, signal);
-        const std::int32_t raw = given != nullptr ? given->raw : 0;
+        const std::int32_t raw = raw_value(signal, encoded.data);
         json.begin_object();
         json.key("name").string(signal.name);
         json.key("given").boolean(given != nullptr);

@@ -98,6 +98,15 @@ class Encode(unittest.TestCase):
         made = cgw("encode", GENSET, "RPDO1", "LoadEnable=on", "IdleSpeed=ON", "Setp1Ext_Error=1", "--format", "cansend")
         self.assertEqual(made.stdout, b"20C#010000000100\n")
 
+    def test_what_is_not_given_is_told_as_it_stands_in_the_frame(self):
+        # FunctLoadEnable is low-active: off is a 1.
+        made = cgw("encode", GENSET, "RPDO1").stdout.decode()
+        self.assertEqual(made.splitlines()[0], "20C#040000000000")
+        self.assertIn("0.2    835 FunctLoadEnable: off -> 1, not given\n", made)
+        document = json.loads(cgw("encode", GENSET, "RPDO1", "--format", "json").stdout)
+        enable, = [signal for signal in document["signals"] if signal["name"].endswith("LoadEnable")]
+        self.assertEqual((enable["given"], enable["raw"], enable["text"]), (False, 1, "off"))
+
     def test_frames_that_the_gateway_sends_too(self):
         made = cgw("encode", GENSET, "TPDO4", "Speed=1500 1/min", "--format", "cansend")
         self.assertEqual(made.stdout, b"48C#0060000000000000\n")

@@ -205,6 +205,26 @@ class Network(unittest.TestCase):
         self.run_cgw("faulty.toml", code=1)
         self.assertLess(time.monotonic() - begin, 30)
 
+    def test_the_order_of_the_files_says_nothing(self):
+        partner = "428 = 1\n430 = {}\n"
+        row = "[[network.message]]\nid = 0x180\nbytes = 8\nperiod_ms = 1.68\nname = \"fast\"\ndeadline_ms = 3\n"
+        self.write("a.toml", plant(5, 500, tpdos=2, more=partner.format(2000)))
+        self.write("b.toml", plant(6, 500, tpdos=2, first=0x690, more=partner.format(32) + row))
+        results = []
+        for order in (("a.toml", "b.toml"), ("b.toml", "a.toml")):
+            result = self.run_cgw(*order, "--format", "json")
+            document = json.loads(result.stdout)
+            self.assertEqual(self.message(document, 0x701)["period_ms"], 16)
+            results.append((result.returncode, document["works"], document["result"]["worst_load"],
+                            [(m["identifier"], m["period_ms"], m["response_ms"]) for m in document["result"]["messages"]]))
+        self.assertEqual(*results)
+
+    def test_a_description_of_another_node_than_asked_for(self):
+        self.run_cgw("dcf", GENSET, "-o", "node.dcf", verb="emit", code=0)
+        self.write("plant.toml", plant(1, 500, first=0x690, rate=250))
+        result = self.run_cgw("plant.toml", "--node", "node.dcf:5", code=2)
+        self.assertIn("node.dcf is about node 12, and 5 is asked for", " ".join(result.stderr.split()))
+
     def test_another_node_from_its_data_sheet(self):
         self.run_cgw("eds", GENSET, "-o", "node.eds", verb="emit", code=0)
         self.write("plant.toml", plant(1, 500, first=0x690))
@@ -343,7 +363,7 @@ class Network(unittest.TestCase):
         self.assertIn("with baud=125, it will work: 125 kbit/s", text)
         self.write("full.toml", plant())
         self.run_cgw("full.toml", "--what-if", "baud=500", code=0)
-        for change in ("baud=0", "baud=333", "baud=20", "baud=", "baud=2000", "baud=12.5", "TPDO3=5", "TPDO17=5", "TPDO5=0", "TPDO5=x", "x", "TPDO5"):
+        for change in ("baud=0", "baud=333", "baud=20", "baud=", "baud=2000", "baud=12.5", "TPDO3=5", "TPDO17=5", "TPDO5=0", "TPDO5=x", "x", "TPDO5", "TPDO5=5000ms", "TPDO5=65535"):
             self.assertIn("--what-if", self.run_cgw(GENSET, "--what-if", change, code=2).stderr)
         for change in ("baud=125", "TPDO5=100"):
             again = self.run_cgw(GENSET, "--what-if", change, "--what-if", change, code=2)

@@ -22,6 +22,23 @@ Outcome<IntelHex> read(const std::string& text) {
     return read_intel_hex(base::to_bytes(text));
 }
 
+// Where no block has room for a full record between two multiples, shorter ones are the full ones.
+TEST(IntelHexFile, is_cut_the_same_when_it_is_read_again) {
+    for (std::size_t bytes = 1; bytes <= 40; ++bytes) {
+        for (std::uint64_t address = 0xFFF0; address <= 0x10000; ++address) {
+            for (std::size_t most = 1; most <= 33; ++most) {
+                IntelHex file;
+                file.style.data_bytes = most;
+                file.memory.put(address, base::Bytes(bytes, 0x4B));
+                const std::string written = write_intel_hex(file);
+                const Outcome<IntelHex> again = read(written);
+                ASSERT_EQ(refusal(again), "");
+                ASSERT_EQ(write_intel_hex(*again), written) << address << ' ' << bytes << ' ' << most;
+            }
+        }
+    }
+}
+
 TEST(IntelHexFile, is_read_and_written_back_the_same) {
     const Outcome<IntelHex> file = read(good);
     ASSERT_EQ(refusal(file), "");

@@ -68,6 +68,23 @@ TEST(SRecordFile, is_cut_at_multiples_of_its_record_length) {
     EXPECT_EQ(write_s_record(file), "S104100301E7\nS107100402030405D6\nS104100806DD\nS9030000FC\n");
 }
 
+// Where no block has room for a full record between two multiples, shorter ones are the full ones.
+TEST(SRecordFile, is_cut_the_same_when_it_is_read_again) {
+    for (std::size_t bytes = 1; bytes <= 40; ++bytes) {
+        for (std::uint64_t address = 0x100; address <= 0x110; ++address) {
+            for (std::size_t most = 1; most <= 33; ++most) {
+                SRecord file;
+                file.style.data_bytes = most;
+                file.memory.put(address, base::Bytes(bytes, 0x4B));
+                const std::string written = write_s_record(file);
+                const Outcome<SRecord> again = read(written);
+                ASSERT_EQ(refusal(again), "");
+                ASSERT_EQ(write_s_record(*again), written) << address << ' ' << bytes << ' ' << most;
+            }
+        }
+    }
+}
+
 TEST(SRecordFile, may_end_like_a_text_of_dos) {
     EXPECT_EQ(refusal(read(good + "\x1A\x1A")), "");
     EXPECT_EQ(refusal(read(good + "\x1A" + "S5030002FA")),

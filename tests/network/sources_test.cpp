@@ -282,6 +282,46 @@ TEST(Judging, a_message_that_nobody_states_is_a_matter_of_the_bus) {
     EXPECT_EQ(finding.help, "raise the bit rate, or count with fewer errors");
 }
 
+// A SYNC that comes late makes three PDOs late together, right behind those of the SYNC before.
+TEST(Judging, pdos_that_go_with_the_sync_are_as_late_as_that) {
+    test::PlantBuilder plant;
+    plant.minimal();
+    const std::vector<Member> members{member_of(plant.settings(), plant.resolve())};
+    std::vector<Message> messages = messages_of(plant.settings(), plant.resolve(), 0);
+    Message sync = row(0x080, "SYNC", 0);
+    sync.bytes = 0;
+    sync.jitter_us = 9'000;
+    messages.push_back(sync);
+    for (const std::uint32_t identifier : {0x194U, 0x195U, 0x196U}) {
+        Message pdo = row(identifier, "TPDO1", -1, true);
+        pdo.sync_multiple = 1;
+        messages.push_back(pdo);
+    }
+    const auto results = [&](std::uint64_t jitter_us) {
+        for (Message& message : messages) {
+            message.jitter_us = message.identifier == 0x080 ? jitter_us : message.jitter_us;
+        }
+        return judge_bus(members, {}, messages, {}, Bands{}).analysis->messages;
+    };
+    const auto result_of = [](const std::vector<MessageResult>& all, std::uint32_t identifier) {
+        return *std::find_if(all.begin(), all.end(), [&](const MessageResult& each) {
+            return each.message.identifier == identifier;
+        });
+    };
+    for (const std::uint64_t jitter_us : {0U, 9'000U}) {
+        const std::vector<MessageResult> all = results(jitter_us);
+        const std::uint64_t of_sync = result_of(all, 0x080).response_us;
+        EXPECT_GT(of_sync, jitter_us);
+        EXPECT_EQ(result_of(all, 0x194).message.jitter_us, of_sync);
+        EXPECT_GT(result_of(all, 0x194).response_us, of_sync);
+    }
+    // Frames of two SYNCs in a row are in its way, not of one.
+    const auto behind = [&](std::uint64_t jitter_us) {
+        return result_of(results(jitter_us), 0x701).response_us;
+    };
+    EXPECT_GT(behind(9'000), behind(0) + 3 * 500);
+}
+
 TEST(IdentifierMap, covers_all_identifiers_once) {
     const std::vector<Message> messages{row(0x301, "a", 0), row(0x301, "b", 0), row(0x680, "c", 0)};
     const std::vector<IdentifierRange> map = identifier_map(messages);
