@@ -120,11 +120,9 @@ base::Result<DeviceDescription> read_device_description(const std::string& path)
         description.unreadable = report_unreadable(path, text.error(), description.findings);
     } else if (is_image(*text)) {
         take_image(description, *text);
-    } else if (xdd::is_xml(*text)) {
+    } else if (xdd::is_xml(*text) || (is_named_xml(path) && !eds::is_sheet(eds::Document(*text)))) {
         take_xml(description, std::move(*text));
-    } else if (const eds::Document document(*text); is_named_xml(path) && !eds::is_sheet(document)) {
-        take_xml(description, std::move(*text));
-    } else if (is_parameter_file(document)) {
+    } else if (is_parameter_file(eds::Document(*text))) {
         if (const auto taken = take_parameter_file(description, std::move(*text)); !taken) {
             return tl::unexpected(taken.error());
         }

@@ -163,7 +163,7 @@ std::optional<std::uint64_t> Reading::stated_number(std::uint32_t line, std::uin
 
 void Reading::report_too_large(std::uint32_t line, const TypeRow& type) {
     report(rules::eds_number_range, document.value_span(line),
-           fmt::format("{}, which is too large for {}", quoted_value(line), type.name));
+           fmt::format("{}, which {} does not hold", quoted_value(line), type.name));
 }
 
 void Reading::report_formula(std::uint32_t line, const TypeRow& type) {

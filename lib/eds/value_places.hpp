@@ -21,13 +21,13 @@ class ValuePlaces {
     diagnostic::Range of_object(std::uint16_t index, std::uint8_t sub_index) const;
 
     // The value of a key, else the section, else nothing. Key "": the section.
-    diagnostic::Range of_key(SectionKind section, std::string_view key) const;
+    diagnostic::Range of_key(SectionKind kind, std::string_view key) const;
 
   private:
     const Section& section(std::uint32_t number) const { return document_.sections()[number]; }
-    diagnostic::Range value_in(std::uint32_t section) const;
-    diagnostic::Range header_of(std::uint32_t section) const {
-        return document_.range(document_.name_span(this->section(section)));
+    diagnostic::Range value_in(std::uint32_t number) const;
+    diagnostic::Range header_of(std::uint32_t number) const {
+        return document_.range(document_.name_span(section(number)));
     }
 
     Document document_;

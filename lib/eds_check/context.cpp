@@ -83,6 +83,20 @@ Model::Model(const eds::Document& document, const eds::Sheet& sheet) {
     read_lists(document, sheet);
     read_parts(document, sheet);
     group_parts(sheet);
+    find_unlisted();
+}
+
+void Model::find_unlisted() {
+    constexpr std::uint16_t first_object = 0x1000;  // below stand data types
+    std::vector<bool> is_listed(eds::highest_u16 + 1);
+    for (const Listed& each : listed_) {
+        is_listed[each.index] = true;
+    }
+    for (const Group& group : groups()) {
+        if (group.has_section && !is_listed[group.index] && group.index >= first_object) {
+            unlisted_.push_back(&group);
+        }
+    }
 }
 
 void Model::read_keys(const eds::Document& document, const eds::Sheet& sheet) {

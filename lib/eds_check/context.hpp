@@ -72,6 +72,9 @@ class Model {
     // The first entry of the index in that list, which has one.
     std::uint32_t first_listing(eds::SectionKind list, std::uint16_t index) const;
 
+    // Objects of the device that stand in none of the lists.
+    std::span<const Group* const> unlisted() const { return unlisted_; }
+
     // What the key on a line is; nullptr: unknown, or no entry of a section whose keys are known.
     const KeyRow* key_row(std::uint32_t line) const { return key_rows_[line]; }
 
@@ -80,6 +83,7 @@ class Model {
     void read_lists(const eds::Document& document, const eds::Sheet& sheet);
     void read_parts(const eds::Document& document, const eds::Sheet& sheet);
     void group_parts(const eds::Sheet& sheet);
+    void find_unlisted();
     Group group_at(std::size_t begin, const eds::Sheet& sheet);
 
     std::vector<const KeyRow*> key_rows_;  // by line
@@ -87,6 +91,7 @@ class Model {
     std::vector<Listed> by_index_;  // of each list the first of each index
     std::vector<Part> parts_;
     std::vector<Group> groups_;
+    std::vector<const Group*> unlisted_;
 };
 
 struct Context {

@@ -184,24 +184,17 @@ void check_listed_objects(const Context& context) {
 }
 
 void check_unlisted_objects(const Context& context) {
-    std::vector<bool> listed(eds::highest_u16 + 1);
-    for (const Listed& each : context.model.listed()) {
-        listed[each.index] = true;
-    }
-    for (const Group& group : context.model.groups()) {
-        constexpr std::uint16_t first_object = 0x1000;  // below stand data types
-        if (group.has_section && !listed[group.index] && group.index >= first_object) {
-            const SectionKind list = list_for(group.index);
-            const auto section = context.sheet.sections.find(list);
-            std::vector<diagnostic::Related> related;
-            if (section) {
-                related.push_back({context.reading.location(context.header_of(*section)), "its list"});
-            }
-            context.reading.report(rules::eds_unlisted, context.header_of(group.own().section),
-                                   fmt::format("{} is in none of the lists of objects; it belongs into [{}]",
-                                               context.label(group.own()), eds::standard_name(list)),
-                                   "", std::move(related));
+    for (const Group* const group : context.model.unlisted()) {
+        const SectionKind list = list_for(group->index);
+        const auto section = context.sheet.sections.find(list);
+        std::vector<diagnostic::Related> related;
+        if (section) {
+            related.push_back({context.reading.location(context.header_of(*section)), "its list"});
         }
+        context.reading.report(rules::eds_unlisted, context.header_of(group->own().section),
+                               fmt::format("{} is in none of the lists of objects; it belongs into [{}]",
+                                           context.label(group->own()), eds::standard_name(list)),
+                               "", std::move(related));
     }
 }
 

@@ -78,7 +78,8 @@ void for_each_unknown_key(const Context& context, Take take) {
 
 std::string quoted_key(const Context& context, std::uint32_t line) {
     constexpr std::size_t longest = 60;
-    return base::printable(context.document.key(line).substr(0, longest));
+    const std::string_view key = context.document.key(line);
+    return key.empty() ? "an entry without a name" : base::printable(key.substr(0, longest));
 }
 
 // What it says is in the case of the standard, but for digits of indices.

@@ -101,6 +101,9 @@ std::optional<Repair> unlist(const Context& context, const Span& place) {
     if (context.model.first_listing(context.kind_of(section), index) >= place.line) {
         return std::nullopt;  // it stands in two lists: which one is wrong is told by another rule
     }
+    if (!context.model.unlisted().empty()) {
+        return std::nullopt;  // the entry may have been meant for one of them
+    }
     return Repair{fmt::format("the second entry of {} is taken away", object_text(index)),
                   {{Change::Kind::remove_line, place, ""}}};
 }

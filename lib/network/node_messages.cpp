@@ -171,7 +171,8 @@ class Node {
             message.period_us = assumed::pdo_us;
             message.assumed = true;
         }
-        message.deadline_us = message.period_us;
+        // Of what goes at events nobody says when it must be there.
+        message.deadline_us = message.release == Release::cyclic ? message.period_us : 0;
     }
 
     // Sub-index 5 is how long it waits for the next one.

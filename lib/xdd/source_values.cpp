@@ -123,7 +123,7 @@ std::optional<Value> Source::numeric(pugi::xml_node element, pugi::xml_attribute
     }
     std::optional<Value> value = eds::value_of(number, type);
     if (!value) {
-        refuse_range(element, attribute, fmt::format(", which is too large for {}", type.name));
+        refuse_range(element, attribute, fmt::format(", which {} does not hold", type.name));
     }
     return value;
 }
@@ -142,7 +142,7 @@ std::optional<Value> Source::real(pugi::xml_node element, pugi::xml_attribute at
     }
     std::optional<Value> value = eds::real_value(*number, type);
     if (!value) {
-        refuse_range(element, attribute, fmt::format(", which is too large for {}", type.name));
+        refuse_range(element, attribute, fmt::format(", which {} does not hold", type.name));
     }
     return value;
 }

@@ -171,6 +171,18 @@ TEST(Fix, leaves_numbers_alone_that_something_else_in_the_sheet_confirms) {
     EXPECT_NE(fixed_of("[DeviceInfo]\nNrOfRXPDO=1\n").text.find("NrOfRXPDO=0"), std::string::npos);
 }
 
+// The second entry may have been meant for the object that is in no list.
+TEST(Fix, leaves_lists_alone_that_can_be_meant_in_two_ways) {
+    const std::string object = "ParameterName=A\nDataType=0x0005\nAccessType=ro\n";
+    const std::string list = "[ManufacturerObjects]\nSupportedObjects=2\n1=0x2000\n";
+    const std::string objects = "[2000]\n" + object;
+    EXPECT_EQ(fixed_of(list + "2=0x2000\n" + objects).text.find("2=0x2000"), std::string::npos);
+    EXPECT_NE(fixed_of(list + "2=0x2000\n" + objects + "[2001]\n" + object).text.find("2=0x2000"),
+              std::string::npos);
+    EXPECT_NE(fixed_of(list + objects).text.find("SupportedObjects=1\n"), std::string::npos);
+    EXPECT_NE(fixed_of(list + "0x2=0x2001\n" + objects).text.find("SupportedObjects=2\n"), std::string::npos);
+}
+
 TEST(Fix, writes_only_file_names_that_an_eds_can_hold) {
     const std::string text = test::data_sheet_with("[FileInfo]\nFileName=other.eds\n");
     for (const std::string_view name : {"a;b.eds", "ger\xC3\xA4t.eds", " a.eds", "a\nb.eds"}) {

@@ -109,6 +109,7 @@ TEST(NodeMessages, follow_the_objects_of_the_node) {
     EXPECT_EQ(find(found.messages, 0x707)->period_us, 250'000U);
     EXPECT_EQ(find(found.messages, 0x187)->period_us, 2'000U);  // the event timer is the longest time
     EXPECT_EQ(find(found.messages, 0x187)->release, Release::event);
+    EXPECT_EQ(find(found.messages, 0x187)->deadline_us, 0U);  // nobody says when it must be there
     EXPECT_EQ(find(found.messages, 0x401)->period_us, 50'000U);
     EXPECT_TRUE(find(found.messages, 0x401)->assumed);  // nobody says how often it changes
     EXPECT_EQ(find(found.messages, 0x187)->bytes, 3);
